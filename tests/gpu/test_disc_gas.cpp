@@ -15,7 +15,7 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr int kWidth = 96, kHeight = 54;
+constexpr int kDiscGasWidth = 96, kDiscGasHeight = 54;
 
 Scene gas_scene(const SpacetimeSpec& spacetime, double theta) {
     Scene scene;
@@ -24,7 +24,7 @@ Scene gas_scene(const SpacetimeSpec& spacetime, double theta) {
     if (spacetime.metric != "schwarzschild") scene.camera.observer = ObserverKind::kZamo;
     scene.camera.r = 25;
     scene.camera.theta = theta;
-    scene.camera.width = kWidth, scene.camera.height = kHeight;
+    scene.camera.width = kDiscGasWidth, scene.camera.height = kDiscGasHeight;
     scene.camera.focal_distance = 1;
     scene.sky.kind = SkyKind::kPlain;
     scene.sky.material.colour = {0, 0, 1};
@@ -57,7 +57,7 @@ void measure(GpuSession& session, Scene scene, std::mt19937& random, Worst& wors
     const DiscSpec& disc = *scene.disc;
     const bool flows = disc.flow == DiscFlowKind::kKepler;
     for (int i = 0; i < 40; ++i) {
-        const int x = static_cast<int>(random() % kWidth), y = static_cast<int>(random() % kHeight);
+        const int x = static_cast<int>(random() % kDiscGasWidth), y = static_cast<int>(random() % kDiscGasHeight);
         const reference::RayPtr ray = tracer->ray(x + 0.5, y + 0.5);
         const auto hits = tracer->disc_hits(*ray, 2);
         if (hits.size() != 1 || ray->fate() != Fate::kEscaped) continue;

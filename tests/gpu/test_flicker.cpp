@@ -11,7 +11,7 @@ using namespace nullscope;
 
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 720;
+constexpr int kFlickerWidth = 1280, kFlickerHeight = 720;
 constexpr double kPan_px = 0.05;  // from frame to frame
 
 Scene frame(Scene scene, int number) {
@@ -35,13 +35,13 @@ TEST_CASE("flicker: edges and rings of a slow pan flicker at most twice as much 
     constexpr double kStep = 16.0;                // of 255: one ray of 4 x 4
     auto scene = load_scene("first-light");
     REQUIRE(scene);
-    scene->camera.width = kWidth, scene->camera.height = kHeight;
+    scene->camera.width = kFlickerWidth, scene->camera.height = kFlickerHeight;
     scene->picture.dither = false;
     scene->sky.kind = SkyKind::kBlack;
     const int frames = test::by_depth(12, 120, 120);
     const test::ExactPixels reference(*scene, 256);
     test::on_one_context([&](test::GpuSession& session) {
-        std::vector<Flicker> all(static_cast<std::size_t>(kWidth) * kHeight);
+        std::vector<Flicker> all(static_cast<std::size_t>(kFlickerWidth) * kFlickerHeight);
         for (int i = 0; i < frames; ++i) {
             REQUIRE(session.renderer->prepare(frame(*scene, i)));
             const Image<unsigned char> shown = session.renderer->picture8();
@@ -56,7 +56,7 @@ TEST_CASE("flicker: edges and rings of a slow pan flicker at most twice as much 
         order.resize(std::min<std::size_t>(order.size(), 1000));
         test::Places places;
         for (const std::size_t k : order)
-            places.push_back({static_cast<int>(k % kWidth), static_cast<int>(k / kWidth)});
+            places.push_back({static_cast<int>(k % kFlickerWidth), static_cast<int>(k / kFlickerWidth)});
         std::vector<Flicker> exact(order.size());
         for (int i = 0; i < frames; ++i) {
             const auto shown = reference.shown(frame(*scene, i), 16, places);

@@ -7,9 +7,9 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kScreenError_px = 0.05;  // the project's promise at every pixel
-constexpr double kSweptError_px = 0.05;   // the same for the swept angle, which objects are placed by
-constexpr double kFrequency_px = 0.05;    // and for g
+constexpr double kFrame4kScreenError_px = 0.05;  // the project's promise at every pixel
+constexpr double kSweptError_px = 0.05;          // the same for the swept angle, which objects are placed by
+constexpr double kFrequency_px = 0.05;           // and for g
 
 Scene frame_4k(double r, double yaw_deg) {
     Scene scene;
@@ -28,7 +28,7 @@ void check_measures(const std::string& what, const RayMeasures& m) {
         "not finite {}\n",
         what, spread_text(m.sky_px), spread_text(m.forward_rad), spread_text(m.angle_px), spread_text(m.g_px),
         m.fate_errors, m.forgiven, m.not_finite);
-    CHECK(m.sky_px.max <= kScreenError_px);
+    CHECK(m.sky_px.max <= kFrame4kScreenError_px);
     CHECK(m.angle_px.max <= kSweptError_px);
     CHECK(m.g_px.max <= kFrequency_px);
     CHECK(m.fate_errors == 0);

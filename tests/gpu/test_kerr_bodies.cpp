@@ -11,11 +11,11 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-const int kWidth = by_depth(65, 97, 97), kHeight = by_depth(37, 55, 55);
-const double kOf1080 = 1080.0 / kHeight;  // a pixel of these frames in those of 1080p
-constexpr double kScreenError_px = 0.05;  // the project's promise, px of 1080p
+const int kKerrBodiesWidth = by_depth(65, 97, 97), kKerrBodiesHeight = by_depth(37, 55, 55);
+const double kOf1080 = 1080.0 / kKerrBodiesHeight;  // a pixel of these frames in those of 1080p
+constexpr double kKerrBodiesScreenError_px = 0.05;  // the project's promise, px of 1080p
 
-struct Case {
+struct KerrBodiesCase {
     const char* name;
     std::function<void(Scene&)> set;
 };
@@ -33,8 +33,8 @@ void torus(Scene& s) {
 }
 void looks(Scene& s, double r, double theta) { s.camera.r = r, s.camera.theta = theta; }
 
-const std::vector<Case>& cases() {
-    static const std::vector<Case> all = {
+const std::vector<KerrBodiesCase>& kerr_bodies_cases() {
+    static const std::vector<KerrBodiesCase> all = {
         {"ball in front",
          [](Scene& s) {
              ball(s, {3, 1, 0.5}, 0.7);
@@ -100,15 +100,15 @@ TEST_CASE("kerr bodies: hits, places and fates are the reference's at every pixe
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
         Selection selection(4);
-        for (const Case& c : cases()) {
+        for (const KerrBodiesCase& c : kerr_bodies_cases()) {
             if (!selection.takes_next()) continue;
             const std::string name = c.name;
             CAPTURE(name);
             Scene scene;
             scene.spacetime = {"kerr", {{"spin", 0.9}}};
             scene.sky.kind = SkyKind::kBlack;
-            scene.camera.width = kWidth;
-            scene.camera.height = kHeight;
+            scene.camera.width = kKerrBodiesWidth;
+            scene.camera.height = kKerrBodiesHeight;
             looks(scene, 10, 1.3);
             c.set(scene);
             const RayFrame frame = gl_ray_data(session, scene);
@@ -120,8 +120,8 @@ TEST_CASE("kerr bodies: hits, places and fates are the reference's at every pixe
             CHECK(m.not_finite == 0);
             CHECK(m.fate_errors == 0);
             CHECK(m.place_px.count > 0);
-            CHECK(kOf1080 * m.sky_px.max <= kScreenError_px);
-            CHECK(kOf1080 * m.place_px.max <= kScreenError_px);
+            CHECK(kOf1080 * m.sky_px.max <= kKerrBodiesScreenError_px);
+            CHECK(kOf1080 * m.place_px.max <= kKerrBodiesScreenError_px);
         }
     });
 }

@@ -10,8 +10,8 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr int kCap = 64;                  // SPIN_MOST_STEPS
-constexpr double kRefineAbove_px = 1e-5;  // below every error here
+constexpr int kCap = 64;                             // SPIN_MOST_STEPS
+constexpr double kKerrMethodsRefineAbove_px = 1e-5;  // below every error here
 
 Scene view(double r, double theta, double yaw) {
     Scene scene;
@@ -52,7 +52,7 @@ TEST_CASE(
             const ExactTrace trace = remembered(reference_trace(scene));
             const auto errors = [&](const char* name) {
                 const RayMeasures m =
-                    measure_rays(rays_by(session, scene, name), scene.camera, trace, 1, kRefineAbove_px);
+                    measure_rays(rays_by(session, scene, name), scene.camera, trace, 1, kKerrMethodsRefineAbove_px);
                 CHECK(m.fate_errors == 0);
                 CHECK(m.not_finite == 0);
                 return m.sky_px;

@@ -12,7 +12,7 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kRays_px = 0.05;  // what is promised of every ray
+constexpr double kKerrNewmanRays_px = 0.05;  // what is promised of every ray
 constexpr double kSpin = 0.6, kCharge = 0.6;
 
 Scene charged() {
@@ -108,8 +108,8 @@ TEST_CASE("kerr-newman: frames with disc, bodies, light times and falling camera
             const double finer = 1920.0 / scene.camera.width;
             fmt::print("kerr-newman, {:<18}: sky {:.4f}, places {:.4f}, g {:.4f} px of 1080p; fate errors {}\n",
                        view.name, m.sky_px.max * finer, m.place_px.max * finer, m.g_px.max * finer, m.fate_errors);
-            CHECK(m.sky_px.max * finer <= kRays_px);
-            CHECK(m.place_px.max * finer <= kRays_px);
+            CHECK(m.sky_px.max * finer <= kKerrNewmanRays_px);
+            CHECK(m.place_px.max * finer <= kKerrNewmanRays_px);
             CHECK(m.fate_errors == 0);
             CHECK(m.not_finite == 0);
         }

@@ -12,9 +12,9 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kRays_px = 0.05;  // what is promised of every ray, px of 1080p
-const int kWidth = by_depth(64, 96, 96), kHeight = by_depth(36, 54, 54);
-const double kFiner = 1920.0 / kWidth;
+constexpr double kKerrObserversRays_px = 0.05;  // what is promised of every ray, px of 1080p
+const int kKerrObserversWidth = by_depth(64, 96, 96), kKerrObserversHeight = by_depth(36, 54, 54);
+const double kFiner = 1920.0 / kKerrObserversWidth;
 
 struct View {
     ObserverKind observer;
@@ -30,7 +30,8 @@ Scene scene_of(const View& view, bool disc) {
     camera.r = view.r, camera.theta = view.theta, camera.phi = 0.7, camera.yaw = view.yaw,
     camera.velocity = view.velocity;
     camera.fall_from = 6, camera.energy = 1.5;
-    camera.plane_width = 2 * std::tan(view.fov / 2), camera.width = kWidth, camera.height = kHeight;
+    camera.plane_width = 2 * std::tan(view.fov / 2), camera.width = kKerrObserversWidth,
+    camera.height = kKerrObserversHeight;
     if (disc) scene.disc.emplace(), scene.disc->inner = 1.0, scene.disc->outer = 7.0;
     return scene;
 }
@@ -76,8 +77,8 @@ TEST_CASE("kerr observers: every one's frame is the reference's, outside, on and
                     "{}, skies {}\n",
                     observer_name(view.observer), view.spin, view.r, disc ? "disc" : "sky", m.sky_px.max * kFiner,
                     m.place_px.max * kFiner, m.g_px.max * kFiner, m.fate_errors, m.sky_px.count);
-                CHECK(m.sky_px.max * kFiner <= kRays_px);
-                CHECK(m.place_px.max * kFiner <= kRays_px);
+                CHECK(m.sky_px.max * kFiner <= kKerrObserversRays_px);
+                CHECK(m.place_px.max * kFiner <= kKerrObserversRays_px);
                 CHECK(m.fate_errors == 0);
                 CHECK(m.not_finite == 0);
             }
@@ -124,10 +125,10 @@ TEST_CASE("kerr observers: next to no spin each sees what the table shows it wit
                 "{:<13} r = {:<4}: spin 1e-9 against the table {:.4f} px of 1080p over {} skies, {} fates; spin 0.1 "
                 "{:.1f} px\n",
                 observer_name(view.observer), view.r, near.most_px, near.skies, near.fates, far.most_px);
-            CHECK(near.most_px <= kRays_px);
+            CHECK(near.most_px <= kKerrObserversRays_px);
             CHECK(near.fates == 0);
             CHECK(near.skies > by_depth(200, 500, 500));
-            CHECK(far.most_px > kRays_px);  // the check can fail
+            CHECK(far.most_px > kKerrObserversRays_px);  // the check can fail
         }
     });
 }

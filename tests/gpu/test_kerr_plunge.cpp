@@ -13,12 +13,12 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr int kWidth = 24, kHeight = 14;
+constexpr int kKerrPlungeWidth = 24, kKerrPlungeHeight = 14;
 constexpr double kWinds = 0.1;  // rad a step: rays that wind turn their sky by more, and nothing follows
 // What a step may add to the reference's: twice the error of a direction, float and steps of a tenth of a pixel of 1080p at most, where the
 // sky turns ten times as fast as the pixel.
 constexpr double kJump = 2e-4;
-constexpr double kRays_px = 0.05;  // px of 1080p
+constexpr double kKerrPlungeRays_px = 0.05;  // px of 1080p
 
 std::string plunge_file() { return (data_folder() / "golden/scenes/kerr-circling.toml").string(); }
 
@@ -46,7 +46,7 @@ void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_
 
 Scene plunging(bool disc) {
     Scene scene = *load_scene(plunge_file());
-    scene.camera.width = kWidth, scene.camera.height = kHeight;
+    scene.camera.width = kKerrPlungeWidth, scene.camera.height = kKerrPlungeHeight;
     scene.sky.kind = SkyKind::kBlack;
     if (!disc)
         scene.disc.reset();
@@ -121,8 +121,8 @@ TEST_CASE("kerr plunge: stations outside, on and inside the horizon are the refe
                     frame, scene.camera.r, disc ? "disc" : "sky", m.sky_px.max * finer, m.place_px.max * finer,
                     m.g_px.max * finer, m.fate_errors, m.sky_px.count);
                 // With the disc a lone pixel of sky may have no neighbours that tell how fast it moves: directions are those without it.
-                if (!disc) CHECK(m.sky_px.max * finer <= kRays_px);
-                CHECK(m.place_px.max * finer <= kRays_px);
+                if (!disc) CHECK(m.sky_px.max * finer <= kKerrPlungeRays_px);
+                CHECK(m.place_px.max * finer <= kKerrPlungeRays_px);
                 CHECK(m.fate_errors == 0);
                 CHECK(m.not_finite == 0);
             }

@@ -22,16 +22,16 @@ constexpr double kDegree = M_PI / 180;
 constexpr double kDeepestAlong = 19;  // depth: further in the reference's own rounding shows along the curve
 constexpr double kEdge_px = 0.01;     // of the critical curve: closer to it fates may differ
 
-struct Off {
+struct KerrRingViewsOff {
     double across_px = 0, along = 0;
     int fates = 0, rays = 0;
-    void add(const Off& other) {
+    void add(const KerrRingViewsOff& other) {
         across_px = std::max(across_px, other.across_px), along = std::max(along, other.along);
         fates += other.fates, rays += other.rays;
     }
 };
 
-Off off_of(const Scene& scene, const RayFrame& frame, int row_step) {
+KerrRingViewsOff off_of(const Scene& scene, const RayFrame& frame, int row_step) {
     const auto spacetime = *make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     const CameraSpec camera = *without_zoom(*spacetime, scene.camera, scene.light);
     CameraSpec middle = camera;     // the critical curve is nearly straight in all views here
@@ -43,7 +43,7 @@ Off off_of(const Scene& scene, const RayFrame& frame, int row_step) {
     const double slope = std::hypot(c[1], c[2]);
     const Vec3 across{c[1] / slope, -c[2] / slope, 0};  // in the picture, y down
     const ExactTrace trace = reference_trace(scene);
-    Off off;
+    KerrRingViewsOff off;
     for (int row = row_step / 2; row < frame.height; row += row_step)
         for (int column = 0; column < frame.width; ++column) {
             const double x = column + 0.5, y = row + 0.5, right = x - 0.5 * frame.width, up = 0.5 * frame.height - y;
@@ -71,7 +71,7 @@ Off off_of(const Scene& scene, const RayFrame& frame, int row_step) {
     return off;
 }
 
-std::string words(const Scene& scene, const Off& off) {
+std::string words(const Scene& scene, const KerrRingViewsOff& off) {
     const CameraSpec& c = scene.camera;
     return fmt::format(
         "{:<13} a {:.4f} r {:7.3f} theta {:.2f} v {:.2f} pixel {:.1e} rad: {:.4f} px across, {:.1e} rad along; fates "
@@ -81,9 +81,9 @@ std::string words(const Scene& scene, const Off& off) {
 }
 
 struct Most {
-    Off promised, hard;
+    KerrRingViewsOff promised, hard;
     int views = 0, hard_views = 0;
-    void add(const Scene& scene, Off off) {
+    void add(const Scene& scene, KerrRingViewsOff off) {
         const auto spacetime = *make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
         const bool is_hard = is_hard_ring(*spacetime->axial(), scene.camera.r);
         if (scene.camera.zoom && scene.camera.zoom->depth > kDeepestAlong) off.along = 0;

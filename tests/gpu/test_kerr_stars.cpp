@@ -40,15 +40,15 @@ Scene star_scene(double spin, double r, double theta, int stars) {
     return scene;
 }
 
-struct View {
+struct KerrStarsView {
     const char* name;
     Scene scene;
 };
 
-std::vector<View> views() {
-    std::vector<View> list{{"zamo, a = 0.95", star_scene(0.95, 12, 1.2, 150)},
-                           {"moving, a = 0.998", star_scene(0.998, 5, 1.5, 150)},
-                           {"rain, a = 0.6", star_scene(0.6, 7, 0.6, 150)}};
+std::vector<KerrStarsView> views() {
+    std::vector<KerrStarsView> list{{"zamo, a = 0.95", star_scene(0.95, 12, 1.2, 150)},
+                                    {"moving, a = 0.998", star_scene(0.998, 5, 1.5, 150)},
+                                    {"rain, a = 0.6", star_scene(0.6, 7, 0.6, 150)}};
     list[1].scene.camera.velocity = {0.1, 0.2, -0.4}, list[1].scene.camera.yaw = 0.3;
     list[2].scene.camera.observer = ObserverKind::kRain;
     return list;
@@ -113,10 +113,10 @@ const Both& both_of_view(std::size_t i) {
 }
 
 TEST_CASE("kerr point stars: every image worth a thousandth of its star is the reference's, place, area and g") {
-    const std::vector<View> all = views();
+    const std::vector<KerrStarsView> all = views();
     const std::size_t measured = by_depth(std::size_t{1}, all.size(), all.size());
     for (std::size_t v = 0; v < measured; ++v) {
-        const View& view = all[v];
+        const KerrStarsView& view = all[v];
         CAPTURE(std::string(view.name));
         const Scene& scene = view.scene;
         const Both& both = both_of_view(v);
@@ -213,7 +213,7 @@ TEST_CASE(
     constexpr int kReach = 4;
     // Of its star's light: beside dimmer ones, at the shadow, there are others that no witness has found.
     constexpr double kShown = 0.1;
-    const std::vector<View> all = views();
+    const std::vector<KerrStarsView> all = views();
     on_one_context([&](GpuSession& session) {
         int found = 0;
         double light = 0, place = 0, whole = 0;

@@ -81,7 +81,7 @@ TEST_CASE("limb darkening: the shader's law is the reference's at every angle") 
 struct Switches {
     bool doppler = true, gravity = true, lensing = true;
 };
-struct View {
+struct LimbDarkeningView {
     SpacetimeSpec spacetime;
     double theta_deg;
     Vec3 velocity;
@@ -89,7 +89,7 @@ struct View {
     double opacity;
 };
 
-Scene scene_of(const View& view) {
+Scene scene_of(const LimbDarkeningView& view) {
     Scene scene;
     scene.picture.refine = false;
     scene.spacetime = view.spacetime;
@@ -110,12 +110,12 @@ Scene scene_of(const View& view) {
 }
 
 // What one view's pixels are off by.
-struct Worst {
+struct LimbDarkeningWorst {
     double cosine = 0, light = 0, least = 1;
     int pixels = 0, views = 0;
 };
 
-void measure(GpuSession& session, const DrawnLaw& law, const View& view, Worst& worst) {
+void measure(GpuSession& session, const DrawnLaw& law, const LimbDarkeningView& view, LimbDarkeningWorst& worst) {
     constexpr double kCosine = 1e-5;  // of a cosine, where the law tells it: as g's promise
     constexpr double kSlant = 0.02;   // below it the cosine's own error is measured by the light alone
     // And what 1e-5 of the cosine makes of it at a slant: three times as much at most, and of g.
@@ -170,7 +170,7 @@ void measure(GpuSession& session, const DrawnLaw& law, const View& view, Worst& 
 TEST_CASE("limb darkening: cosine and light are the reference's, at rest and moving, whole and with a part left out") {
     const SpacetimeSpec schwarzschild{"schwarzschild", {}}, kerr{"kerr", {{"spin", 0.9}}};
     const Vec3 rest{0, 0, 0}, moving{0.2, 0.3, -0.1};
-    std::vector<View> views;
+    std::vector<LimbDarkeningView> views;
     for (const double theta : {3.0, 85.0, 60.0, 120.0})
         for (const Vec3 velocity : {moving, rest}) views.push_back({schwarzschild, theta, velocity, {}, 1.0});
     for (const Switches part : {Switches{false, true, true},
@@ -186,9 +186,9 @@ TEST_CASE("limb darkening: cosine and light are the reference's, at rest and mov
         for (const Vec3 velocity : {moving, rest}) views.push_back({kerr, theta, velocity, {}, 1.0});
     on_one_context([&](GpuSession& session) {
         const DrawnLaw law;
-        Worst worst;
+        LimbDarkeningWorst worst;
         Selection selection(3);  // of each kind one at least
-        for (const View& view : views)
+        for (const LimbDarkeningView& view : views)
             if (selection.takes_next()) measure(session, law, view, worst);
         fmt::print(
             "limb darkening in {} pixels of {} views: cosine within {:.2g}, light within {:.2g}, least cosine {:.3f}\n",

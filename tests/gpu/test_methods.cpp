@@ -13,8 +13,8 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr int kWidth = 256, kHeight = 144;
-constexpr double kRefineAbove_px = 1e-4;  // far below every bound here
+constexpr int kMethodsWidth = 256, kMethodsHeight = 144;
+constexpr double kMethodsRefineAbove_px = 1e-4;  // far below every bound here
 
 Scene random_camera(std::mt19937& random) {
     const auto uniform = [&](double low, double high) {
@@ -28,8 +28,8 @@ Scene random_camera(std::mt19937& random) {
     scene.camera.pitch = uniform(-1, 1);
     scene.camera.roll = uniform(-M_PI, M_PI);
     scene.camera.plane_width = std::pow(10.0, uniform(-1, 0.5));
-    scene.camera.width = kWidth;
-    scene.camera.height = kHeight;
+    scene.camera.width = kMethodsWidth;
+    scene.camera.height = kMethodsHeight;
     if (uniform(0, 1) < 0.3) scene.camera.velocity = {uniform(-0.5, 0.5), uniform(-0.5, 0.5), uniform(-0.5, 0.5)};
     if (uniform(0, 1) < 0.5) {
         scene.disc.emplace();
@@ -42,7 +42,7 @@ Scene random_camera(std::mt19937& random) {
 double worst_error(GpuSession& session, const Scene& scene, const ExactTrace& trace, const Method& method,
                    long long& fate_errors) {
     session.renderer->set_method(method);
-    const RayMeasures m = measure_rays(gl_ray_data(session, scene), scene.camera, trace, 1, kRefineAbove_px);
+    const RayMeasures m = measure_rays(gl_ray_data(session, scene), scene.camera, trace, 1, kMethodsRefineAbove_px);
     fate_errors += m.fate_errors + m.not_finite;
     return std::fmax(m.sky_px.max, m.place_px.max);
 }

@@ -9,7 +9,7 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr int kWidth = 24, kHeight = 14;
+constexpr int kPlungeWidth = 24, kPlungeHeight = 14;
 
 // Looks aside: hole, rim and sky, and the disc, are all in the picture.
 Scene falling_at(double r, bool disc) {
@@ -20,23 +20,23 @@ Scene falling_at(double r, bool disc) {
     scene.camera.theta = 1.2;
     scene.camera.observer = ObserverKind::kRain;
     scene.camera.yaw = 100 * M_PI / 180;
-    scene.camera.width = kWidth, scene.camera.height = kHeight;
+    scene.camera.width = kPlungeWidth, scene.camera.height = kPlungeHeight;
     scene.camera.plane_width = 2 * std::tan(65 * M_PI / 180);
     if (disc) scene.disc.emplace();
     return scene;
 }
 
-struct Jumps {
+struct PlungeJumps {
     double most = 0;  // what OpenGL's directions change by in a step beyond what the reference's do, rad
     int fates = 0;    // pixels of another fate
     int judged = 0, skies = 0;
 };
 
 // Rays that wind: a step of the camera turns their sky by more than this, and nothing follows.
-constexpr double kWinds = 0.1;
+constexpr double kPlungeWinds = 0.1;
 
-void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_before, const RayFrame& exact,
-           Jumps& jumps) {
+void plunge_judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_before, const RayFrame& exact,
+                  PlungeJumps& jumps) {
     for (std::size_t i = 0; i < gl.pixels.size(); ++i) {
         jumps.fates += gl.pixels[i].fate != exact.pixels[i].fate;
         if (gl.pixels[i].fate != Fate::kEscaped || exact.pixels[i].fate != Fate::kEscaped) continue;
@@ -45,7 +45,7 @@ void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_
             exact_before.pixels[i].fate != Fate::kEscaped)
             continue;
         const double step = angle_between(exact.pixels[i].sky, exact_before.pixels[i].sky);
-        if (step > kWinds) continue;
+        if (step > kPlungeWinds) continue;
         ++jumps.judged;
         jumps.most = std::max(jumps.most, angle_between(gl.pixels[i].sky, gl_before.pixels[i].sky) - step);
     }
@@ -53,34 +53,34 @@ void judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame& exact_
 
 // What a step may add: twice the error of a direction, float and straight lines (docs/accuracy.md: 2e-6 rad), where the sky turns ten times
 // as fast as the pixel.
-constexpr double kJump = 4e-5;  // measured 1e-5
+constexpr double kPlungeJump = 4e-5;  // measured 1e-5
 
 TEST_CASE("plunge: from 3 r_s to 0.01 r_s no ray jumps by more than the reference's, and none has another fate") {
     on_one_context([](GpuSession& session) {
         const int steps = by_depth(400, 2000, 2000);
         for (const bool disc : {false, true}) {
-            Jumps jumps;
+            PlungeJumps jumps;
             RayFrame gl_before, exact_before;
             for (int i = 0; i <= steps; i += disc ? 10 : 1) {
                 const Scene scene = falling_at(3.0 * std::pow(0.01 / 3.0, static_cast<double>(i) / steps), disc);
                 RayFrame gl = gl_ray_data(session, scene), exact = reference_frame(scene);
                 if (disc) gl_before.pixels.clear();  // ten steps at once: only fates
-                judge(gl_before, gl, exact_before, exact, jumps);
+                plunge_judge(gl_before, gl, exact_before, exact, jumps);
                 gl_before = std::move(gl), exact_before = std::move(exact);
             }
             fmt::print(
                 "{:<7} {}{} steps: {} directions, largest jump beyond the reference's {:.1e} rad; other fates {}\n",
                 session.context->kind(), disc ? "with a disc, " : "", steps, jumps.judged, jumps.most, jumps.fates);
-            CHECK(jumps.most < kJump);
+            CHECK(jumps.most < kPlungeJump);
             CHECK(jumps.fates == 0);
             CHECK(jumps.skies > 50 * steps / (disc ? 20 : 1));
         }
         // That it can fail: the frame of another radius.
-        Jumps planted;
+        PlungeJumps planted;
         const Scene here = falling_at(1.0, false), there = falling_at(1.001, false);
-        judge(gl_ray_data(session, there), gl_ray_data(session, here), reference_frame(here), reference_frame(here),
-              planted);
-        CHECK(planted.most > kJump);
+        plunge_judge(gl_ray_data(session, there), gl_ray_data(session, here), reference_frame(here),
+                     reference_frame(here), planted);
+        CHECK(planted.most > kPlungeJump);
     });
 }
 

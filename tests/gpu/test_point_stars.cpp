@@ -16,7 +16,7 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kDegree = M_PI / 180;
+constexpr double kPointStarsDegree = M_PI / 180;
 
 Scene star_scene(double r, int stars, double magnitude, int width, int height, double fov) {
     Scene scene;
@@ -50,10 +50,11 @@ TEST_CASE("point stars: the light of 200 images is the reference's by the Jacobi
         int found = 0, indirect = 0;
         double worst = 0;
         for (int view = 0; found < kImages && view < 60; ++view) {
-            Scene scene = star_scene(2.0 + 30.0 * unit(random) * unit(random), 4000, 0.0, 320, 240, 80 * kDegree);
-            scene.camera.theta = (5 + 170 * unit(random)) * kDegree;
-            scene.camera.phi = 360 * kDegree * unit(random);
-            scene.camera.yaw = 30 * kDegree * (unit(random) - 0.5);
+            Scene scene =
+                star_scene(2.0 + 30.0 * unit(random) * unit(random), 4000, 0.0, 320, 240, 80 * kPointStarsDegree);
+            scene.camera.theta = (5 + 170 * unit(random)) * kPointStarsDegree;
+            scene.camera.phi = 360 * kPointStarsDegree * unit(random);
+            scene.camera.yaw = 30 * kPointStarsDegree * (unit(random) - 0.5);
             scene.sky.yaw = 6.0 * unit(random);
             if (view % 2 == 1)
                 scene.camera.velocity = {0.6 * unit(random) - 0.3, 0.5 * unit(random), -0.4 * unit(random)};
@@ -109,8 +110,8 @@ TEST_CASE("point stars: the light of 200 images is the reference's by the Jacobi
 double sky_light(Renderer& renderer, Scene scene) {
     double sum = 0;
     for (int face = 0; face < 6; ++face) {
-        scene.camera.yaw = face < 4 ? 90 * kDegree * face : 0;
-        scene.camera.pitch = face == 4 ? 90 * kDegree : face == 5 ? -90 * kDegree : 0;
+        scene.camera.yaw = face < 4 ? 90 * kPointStarsDegree * face : 0;
+        scene.camera.pitch = face == 4 ? 90 * kPointStarsDegree : face == 5 ? -90 * kPointStarsDegree : 0;
         REQUIRE(renderer.prepare(scene));
         const Image<float> picture = renderer.picture();
         const double pixel = scene.camera.plane_width / scene.camera.width;
@@ -126,8 +127,8 @@ double sky_light(Renderer& renderer, Scene scene) {
 TEST_CASE("point stars: of a million stars all over the sky a hole leaves g^4 (1 - shadow/4 pi)") {
     constexpr double kTolerance = 0.005;
     on_one_context([&](GpuSession& session) {
-        Scene scene = star_scene(50.0, 1000000, 2.0, 512, 512, 90 * kDegree);
-        scene.camera.theta = 80 * kDegree;
+        Scene scene = star_scene(50.0, 1000000, 2.0, 512, 512, 90 * kPointStarsDegree);
+        scene.camera.theta = 80 * kPointStarsDegree;
         scene.light.shift = false;  // green light then is power by a fixed factor
         scene.light.bolometric = true;
         const double curved = sky_light(*session.renderer, scene);
@@ -143,7 +144,7 @@ TEST_CASE("point stars: of a million stars all over the sky a hole leaves g^4 (1
 TEST_CASE("point stars: no blinking in 60 frames of a slow pan") {
     constexpr double kTolerance = 0.02;
     on_one_context([&](GpuSession& session) {
-        Scene scene = star_scene(1000.0, 300, 3.0, 320, 240, 60 * kDegree);
+        Scene scene = star_scene(1000.0, 300, 3.0, 320, 240, 60 * kPointStarsDegree);
         scene.spacetime.metric = "minkowski";
         const auto stars = point_stars(scene.sky, assets_directory());
         REQUIRE(stars);
@@ -151,8 +152,8 @@ TEST_CASE("point stars: no blinking in 60 frames of a slow pan") {
         double worst = 0;
         int followed = 0;
         for (int frame = 0; frame < 60; ++frame) {
-            scene.camera.yaw = 0.037 * kDegree * frame;  // a fifth of a pixel
-            scene.camera.pitch = 0.011 * kDegree * frame;
+            scene.camera.yaw = 0.037 * kPointStarsDegree * frame;  // a fifth of a pixel
+            scene.camera.pitch = 0.011 * kPointStarsDegree * frame;
             REQUIRE(session.renderer->prepare(scene));
             const Image<float> picture = session.renderer->picture();
             const auto tracer = reference::FrameTracer::make(scene);

@@ -28,7 +28,7 @@ Scene ring(double spin, int width, int height) {
     return *scene;
 }
 
-Image<float> drawn(Renderer& renderer, Scene scene, bool refine, int samples = 1) {
+Image<float> ring_drawn(Renderer& renderer, Scene scene, bool refine, int samples = 1) {
     scene.picture.refine = refine;
     scene.picture.samples = samples;
     REQUIRE(renderer.prepare(scene));
@@ -49,9 +49,9 @@ TEST_CASE("ring: images of the disc of first and of second order have their ligh
                 Renderer& renderer = *session.renderer;
                 const Scene scene = ring(spin, 480, 270);
                 renderer.pass_crossings(order);  // images of this order and higher; the direct one has order 0
-                const double all = light_of(drawn(renderer, scene, false, test::by_depth(8, 16, 16))),
-                             refined = light_of(drawn(renderer, scene, true)),
-                             one = light_of(drawn(renderer, scene, false));
+                const double all = light_of(ring_drawn(renderer, scene, false, test::by_depth(8, 16, 16))),
+                             refined = light_of(ring_drawn(renderer, scene, true)),
+                             one = light_of(ring_drawn(renderer, scene, false));
                 fmt::print(
                     "{}: spin {}, order {} and higher: light over that of many rays a pixel {:.4f}, with one ray "
                     "{:.4f}\n",
@@ -104,8 +104,8 @@ TEST_CASE("ring: no gap along the second image") {
             CAPTURE(spin);
             const Scene scene = ring(spin, 1280, 720);
             session.renderer->pass_crossings(2);
-            const double refined = least_along(along_ring(drawn(*session.renderer, scene, true), kPlaces)),
-                         one = least_along(along_ring(drawn(*session.renderer, scene, false), kPlaces));
+            const double refined = least_along(along_ring(ring_drawn(*session.renderer, scene, true), kPlaces)),
+                         one = least_along(along_ring(ring_drawn(*session.renderer, scene, false), kPlaces));
             fmt::print(
                 "{}: spin {}: least light along the ring over the median beside it {:.2f}, with one ray {:.2f}\n",
                 session.context->kind(), spin, refined, one);

@@ -14,7 +14,7 @@ using namespace nullscope::test;
 constexpr double kPixel_rad = 60.0 / 3840 * M_PI / 180;
 constexpr double kTolerance_px = 0.01;  // the promise of the project for edges
 constexpr int kColumns = 401;           // across 0.04 px: steps of 1e-4 px, below a float's rounding
-constexpr double kWidth_px = 4 * kTolerance_px;
+constexpr double kShadowWidth_px = 4 * kTolerance_px;
 
 double shadow_half_angle(double rho) {
     const double sine = std::sqrt(27.0 / 4 * (rho - 1)) / std::pow(rho, 1.5);
@@ -30,7 +30,7 @@ Scene strip_at(double rho, double angle, bool horizontal) {
     (horizontal ? scene.camera.yaw : scene.camera.pitch) = angle;
     scene.camera.width = horizontal ? kColumns : 1;
     scene.camera.height = horizontal ? 1 : kColumns;
-    scene.camera.plane_width = kWidth_px * kPixel_rad * (horizontal ? 1.0 : 1.0 / kColumns);
+    scene.camera.plane_width = kShadowWidth_px * kPixel_rad * (horizontal ? 1.0 : 1.0 / kColumns);
     return scene;
 }
 
@@ -39,7 +39,7 @@ double worst_px(const RayFrame& frame, bool horizontal) {
     double worst = 0;
     for (int i = 0; i < kColumns; ++i) {
         // Outwards to the right; upwards with pitch.
-        const double from_edge = (i - kColumns / 2) * kWidth_px / kColumns;
+        const double from_edge = (i - kColumns / 2) * kShadowWidth_px / kColumns;
         const RayPixel& pixel = horizontal ? frame.at(i, 0) : frame.at(0, kColumns - 1 - i);
         const bool outside = pixel.fate == Fate::kEscaped;
         if (outside != (from_edge > 0)) worst = std::max(worst, std::abs(from_edge));

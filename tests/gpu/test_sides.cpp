@@ -11,9 +11,9 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr double kScreenError_px = 0.05;  // the project's promise
+constexpr double kSidesScreenError_px = 0.05;  // the project's promise
 
-struct Case {
+struct SidesCase {
     const char* name;
     std::function<void(Scene&)> set;
 };
@@ -30,8 +30,8 @@ void far_ring(Scene& s) {
     first_body<CylinderSpec>(s)->far = true;
 }
 
-const std::vector<Case>& cases() {
-    static const std::vector<Case> all = {
+const std::vector<SidesCase>& sides_cases() {
+    static const std::vector<SidesCase> all = {
         {"ellis: ball near", near_ball},
         {"ellis: ball behind the throat, near",
          [](Scene& s) {
@@ -91,7 +91,7 @@ TEST_CASE("sides: hits, places and fates are the reference's at every pixel") {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
         Selection selection(12);  // none of the film's wormhole, whose table takes ten seconds: unit tests have it
-        for (const Case& c : cases()) {
+        for (const SidesCase& c : sides_cases()) {
             if (!selection.takes_next()) continue;
             const std::string name = c.name;
             CAPTURE(name);
@@ -115,9 +115,9 @@ TEST_CASE("sides: hits, places and fates are the reference's at every pixel") {
             CHECK(m.not_finite == 0);
             CHECK(m.fate_errors == 0);
             CHECK(m.place_px.count > 0);
-            CHECK(m.sky_px.max <= kScreenError_px);
-            CHECK(m.place_px.max <= kScreenError_px);
-            CHECK(m.angle_px.max <= kScreenError_px);
+            CHECK(m.sky_px.max <= kSidesScreenError_px);
+            CHECK(m.place_px.max <= kSidesScreenError_px);
+            CHECK(m.angle_px.max <= kSidesScreenError_px);
         }
     });
 }

@@ -12,17 +12,17 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr int kSamples = 3;  // a side and pixel, of the reference
+constexpr int kThinBodiesSamples = 3;  // a side and pixel, of the reference
 // Of the light: edges are softened half a pixel outward where a body has corners, and to both sides where it is round.
 constexpr double kTotal = 0.06;
 
-struct Case {
+struct ThinBodiesCase {
     const char* name;
     std::function<void(Scene&)> set;
 };
 
 void kerr(Scene& s) { s.spacetime = {"kerr", {{"spin", 0.9}}}; }
-void flat(Scene& s) { s.spacetime.metric = "minkowski"; }
+void thin_bodies_flat(Scene& s) { s.spacetime.metric = "minkowski"; }
 void ring(Scene& s, double height) {
     add<CylinderSpec>(s).inner = 4, first_shape<CylinderSpec>(s)->outer = 8,
     first_shape<CylinderSpec>(s)->height = height;
@@ -31,20 +31,20 @@ void ball(Scene& s, double radius) {
     add<BallSpec>(s).position = {6, 1, 0.5}, first_shape<BallSpec>(s)->radius = radius;
 }
 
-const std::vector<Case>& cases() {
-    static const std::vector<Case> all = {
-        {"thin ring, flat", [](Scene& s) { flat(s), ring(s, 0.05); }},
+const std::vector<ThinBodiesCase>& thin_bodies_cases() {
+    static const std::vector<ThinBodiesCase> all = {
+        {"thin ring, flat", [](Scene& s) { thin_bodies_flat(s), ring(s, 0.05); }},
         {"thin ring", [](Scene& s) { ring(s, 0.05); }},
         {"thin ring, rotating hole", [](Scene& s) { kerr(s), ring(s, 0.05); }},
-        {"thick ring, flat", [](Scene& s) { flat(s), ring(s, 1.5); }},
+        {"thick ring, flat", [](Scene& s) { thin_bodies_flat(s), ring(s, 1.5); }},
         {"thick ring, rotating hole", [](Scene& s) { kerr(s), ring(s, 1.5); }},
-        {"ball of six pixels, flat", [](Scene& s) { flat(s), ball(s, 1.5); }},
+        {"ball of six pixels, flat", [](Scene& s) { thin_bodies_flat(s), ball(s, 1.5); }},
         {"ball of six pixels", [](Scene& s) { ball(s, 1.5); }},
         {"ball of six pixels, rotating hole", [](Scene& s) { kerr(s), ball(s, 1.5); }},
         {"torus of four pixels, flat",
          [](Scene& s) {
-             flat(s), add<SurfaceSpec>(s).shape = "(length(x, y) - 6)^2 + z^2 - 1",
-                      first_shape<SurfaceSpec>(s)->bound = 8;
+             thin_bodies_flat(s), add<SurfaceSpec>(s).shape = "(length(x, y) - 6)^2 + z^2 - 1",
+                                  first_shape<SurfaceSpec>(s)->bound = 8;
          }},
     };
     return all;
@@ -61,7 +61,7 @@ TEST_CASE("thin bodies: as much light as the reference's") {
     std::map<std::string, double> exact_light;
     on_every_context([&](GpuSession& session) {
         Selection selection(3);
-        for (const Case& c : cases()) {
+        for (const ThinBodiesCase& c : thin_bodies_cases()) {
             if (!selection.takes_next()) continue;
             const std::string name = c.name;
             CAPTURE(name);
@@ -75,7 +75,7 @@ TEST_CASE("thin bodies: as much light as the reference's") {
             if (!exact_light.contains(name)) {
                 const auto sky = build_sky(scene.sky, {}, 16);
                 REQUIRE(sky);
-                const auto exact = reference::render_frame(scene, *sky, nullptr, kSamples, {});
+                const auto exact = reference::render_frame(scene, *sky, nullptr, kThinBodiesSamples, {});
                 REQUIRE(exact);
                 exact_light[name] = light(*exact);
             }

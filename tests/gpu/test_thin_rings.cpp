@@ -11,9 +11,9 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-constexpr int kSamples = 16;  // a side and pixel, of the reference
+constexpr int kThinRingsSamples = 16;  // a side and pixel, of the reference
 // Of the ring's light: one colour stands for its whole width, and the rows of a disc's image differ.
-constexpr double kTotal = 0.15;
+constexpr double kThinRingsTotal = 0.15;
 // Of a column's light to its neighbours': what a line has that crosses pixels at an angle.
 constexpr double kUneven = 0.25;
 
@@ -66,14 +66,14 @@ TEST_CASE("thin rings: a line with the reference's light") {
                 const std::vector<double> drawn = columns(session.renderer->picture());
                 const auto sky = build_sky(scene.sky, {}, 16);
                 REQUIRE(sky);
-                const auto exact = reference::render_frame(scene, *sky, &disc->image, kSamples, {});
+                const auto exact = reference::render_frame(scene, *sky, &disc->image, kThinRingsSamples, {});
                 REQUIRE(exact);
                 const std::vector<double> true_light = columns(*exact);
                 const double ratio = total(drawn) / total(true_light);
                 fmt::print(
                     "{:<7} r = {:<2}, scale {:.4f}: light {:.3f} of the reference's, uneven by {:.3f} ({:.3f})\n",
                     session.context->kind(), r, scale, ratio, uneven(drawn), uneven(true_light));
-                CHECK(std::abs(ratio - 1) <= kTotal);
+                CHECK(std::abs(ratio - 1) <= kThinRingsTotal);
                 CHECK(uneven(drawn) <= uneven(true_light) + kUneven);
             }
     });

@@ -43,7 +43,7 @@ constexpr float kPlanarRounding = 1.0e-5f;  // about others; 2.1e-6 measured
 // Of many bodies a tile asks its own alone: the samples are others then, and how much of a pixel a rim, or an image thinner than the pixel,
 // covers follows from them. 0.033 at most in 1.4 million pixels (NULLSCOPE_TESTS=everything), two of them above 0.02; a body that is
 // missing: 0.7.
-constexpr float kRim = 5.0e-2f;
+constexpr float kTilesRim = 5.0e-2f;
 constexpr double kRims = 1.0e-3;  // of all pixels: that differ at all
 
 // Two bodies of one kind: lists, of which a tile asks its own.
@@ -110,7 +110,7 @@ TEST_CASE("tiles: a picture in tiles is the picture") {
         CHECK(sum.drawn > 0);
         if (has_lists(scene)) {
             CHECK(static_cast<double>(sum.pixels) <= kRims * static_cast<double>(sum.drawn));
-            CHECK(sum.most <= kRim);
+            CHECK(sum.most <= kTilesRim);
         } else {
             CHECK(sum.pixels == 0);
             if (light_path_kind(effects) != LightPathKind::kMino) CHECK(sum.most <= kPlanarRounding);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Files of one module give different names to what is theirs alone, for several of them are compiled as one (NULLSCOPE_UNITY).
 
-Usage: check_names.py [--self-test] [FOLDER...]     folders of .cpp files; by default every module of src/
+Usage: check_names.py [--self-test] [FOLDER...]     folders of .cpp files; by default every module of src/, and every folder of tests/
 
 Looks at what begins in the first column inside an anonymous namespace. Functions of one name may differ in their parameters.
 """
@@ -11,7 +11,7 @@ import tempfile
 from collections import defaultdict
 from pathlib import Path
 
-SOURCES = Path(__file__).resolve().parents[2] / "src"
+ROOT = Path(__file__).resolve().parents[2]
 TYPE = re.compile(r"(?:struct|class|enum class|enum|using) (\w+)\b(?!.*\);)")
 ALONE = {"core32.cpp", "core64.cpp"}   # compiled with options of their own: the same text in two precisions
 VALUE = re.compile(r"[A-Za-z][\w:<>,&*\[\] ]*[ &*](\w+)(\(.*|\{| =|\[|;)")
@@ -58,7 +58,7 @@ def main():
     words = sys.argv[1:]
     if words == ["--self-test"]:
         return self_test()
-    found = [line for folder in ([Path(word) for word in words] or sorted(SOURCES.iterdir())) if folder.is_dir() for line in clashes(folder)]
+    found = [line for folder in ([Path(word) for word in words] or sorted([*(ROOT / "src").iterdir(), *(ROOT / "tests").iterdir()])) if folder.is_dir() for line in clashes(folder)]
     print("\n".join(found) or "check_names: no two files of a module share a name")
     return 1 if found else 0
 

@@ -26,7 +26,7 @@ using Orbit50 = TaylorOrbit<Real>;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // An answer may be off by this many roundings of the answer and of each input, an input's counted as often as the answer
 // multiplies it (the condition number). A closed form is a chain of some ten operations of up to a few roundings each.
-constexpr double kRoundings = 16;
+constexpr double kFiftyDigitsRoundings = 16;
 // The reduced form is given q and zeta0 as exact doubles: angle, delay and turning point owe nothing to a condition number.
 constexpr double kRoundingsOfReduced = 100;
 constexpr double kCritical = 0.3849001794597505;
@@ -80,23 +80,24 @@ struct Bundle {
 };
 
 // Largest error over bound of each kind of ray, printed at the end.
-using Worst = std::map<std::string, double>;
+using FiftyDigitsWorst = std::map<std::string, double>;
 
-void judge(const Case& c, const std::string& what, double found, const Real& exact, double condition, Worst& worst) {
+void judge(const Case& c, const std::string& what, double found, const Real& exact, double condition,
+           FiftyDigitsWorst& worst) {
     const double error = static_cast<double>(abs(found - exact) / abs(exact)) / kEpsilon;
     CAPTURE(c.name);
     CAPTURE(what);
     CAPTURE(found);
     CAPTURE(condition);
-    CHECK(error <= kRoundings * condition);
+    CHECK(error <= kFiftyDigitsRoundings * condition);
     if (c.query.orbit && what != "zeta") CHECK(error <= kRoundingsOfReduced);
     double& most = worst[c.name.substr(0, c.name.find(':'))];
-    most = std::max(most, error / (kRoundings * condition));
+    most = std::max(most, error / (kFiftyDigitsRoundings * condition));
     if (std::getenv("NULLSCOPE_PRINT_ERRORS"))
         fmt::print("{} {}: {:.3g} roundings, condition {:.3g}\n", c.name, what, error, condition);
 }
 
-void check(const Case& c, Worst& worst) {
+void check(const Case& c, FiftyDigitsWorst& worst) {
     const auto record = reference::trace_ray({}, c.query);
     REQUIRE_MESSAGE(record, c.name);
     const bool escapes = record->fate == Fate::kEscaped;
@@ -126,7 +127,7 @@ void check(const Case& c, Worst& worst) {
 }
 
 void check_all(const std::vector<Case>& cases) {
-    Worst worst;
+    FiftyDigitsWorst worst;
     for (const Case& c : cases) check(c, worst);
     for (const auto& [kind, ratio] : worst) fmt::print("{}: largest error {:.2f} of its bound\n", kind, ratio);
 }
@@ -211,7 +212,7 @@ TEST_CASE("fifty digits: charges, camera next to the photon sphere") {
         Scene scene;
         scene.spacetime = {"reissner-nordstrom", {{"charge", charge}}};
         const double sphere = 0.25 * (3 + std::sqrt(std::max(9 - 8 * charge * charge, 0.0)));
-        Worst worst;
+        FiftyDigitsWorst worst;
         for (const double off : {0.1, 1e-2, 1e-4})
             for (const double tilt : {0.0, 1e-5, 1e-3, 2.35e-3, 0.02, 0.5})
                 for (const int side : {-1, 1}) {

@@ -58,23 +58,25 @@ StaticLook static_look(const CameraSpec& camera, double x, double y) {
 // Kerr-Schild coordinates lose (r - 1)^-2 of their digits.
 constexpr double kNearHorizon = 1e-3;
 
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using HardReferenceReal =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 RayPixel taylor_pixel(const CameraSpec& camera, const LongVec& n) {
-    const Real depth = Real(camera.r) - 1, r = camera.r;
-    const Real across = sqrt(Real(n.y) * n.y + Real(n.z) * n.z), norm = sqrt(across * across + Real(n.x) * n.x);
-    const Real q = sqrt(depth / r) * norm / (r * across);
+    const HardReferenceReal depth = HardReferenceReal(camera.r) - 1, r = camera.r;
+    const HardReferenceReal across = sqrt(HardReferenceReal(n.y) * n.y + HardReferenceReal(n.z) * n.z),
+                            norm = sqrt(across * across + HardReferenceReal(n.x) * n.x);
+    const HardReferenceReal q = sqrt(depth / r) * norm / (r * across);
     RayPixel pixel;
     if (across == 0) {  // radial: sweeps nothing
         pixel.fate = n.x > 0 ? Fate::kEscaped : Fate::kCaptured;
         if (n.x > 0) pixel.sky = world_from_static(camera.theta, camera.phi).a;
         return pixel;
     }
-    const TaylorOrbit<Real> orbit(1 / r, -q * Real(n.x) / norm, q, false);
+    const TaylorOrbit<HardReferenceReal> orbit(1 / r, -q * HardReferenceReal(n.x) / norm, q, false);
     REQUIRE(orbit.ended());
     pixel.fate = orbit.captured() ? Fate::kCaptured : Fate::kEscaped;
     pixel.angle = static_cast<double>(orbit.angle());
     if (orbit.captured()) return pixel;
-    const Real side = sin(orbit.angle()) / across;
+    const HardReferenceReal side = sin(orbit.angle()) / across;
     const Vec3 local{static_cast<double>(cos(orbit.angle())), static_cast<double>(side * n.y),
                      static_cast<double>(side * n.z)};
     pixel.sky = world_from_static(camera.theta, camera.phi) * local;

@@ -17,7 +17,7 @@ using namespace nullscope;
 
 constexpr double kSame = 1e-5;  // of gamma; of delay and azimuth over their size
 
-struct Worst {
+struct PhotonRingWorst {
     double gamma = 0, delay = 0, azimuth = 0;
 };
 
@@ -30,7 +30,7 @@ Scene scene_of(const char* metric, const MetricParameters& parameters, double th
 }
 
 // By images of the circle at r.
-void measure(const Scene& scene, double psi, double r, Worst& worst) {
+void measure(const Scene& scene, double psi, double r, PhotonRingWorst& worst) {
     const auto ring = reference::PhotonRing::make(scene);
     REQUIRE(ring);
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
@@ -53,7 +53,7 @@ void measure(const Scene& scene, double psi, double r, Worst& worst) {
     worst.azimuth = std::max(worst.azimuth, turned);
 }
 
-void report(const char* what, const Worst& worst) {
+void report(const char* what, const PhotonRingWorst& worst) {
     fmt::print("photon ring, {}: gamma off by {:.1e}, delay and azimuth by {:.1e} and {:.1e} of them at most\n", what,
                worst.gamma, worst.delay, worst.azimuth);
 }
@@ -61,7 +61,7 @@ void report(const char* what, const Worst& worst) {
 TEST_CASE("photon ring: half orbits of traced rays without spin") {
     MetricParameters kottler;
     kottler.formulas["A"] = "1 - 1/r - 0.0005*r^2";
-    Worst worst;
+    PhotonRingWorst worst;
     test::Selection selection(7);  // the formula, whose rays take a hundred times longer, is left to --all
     for (const Scene& scene :
          {scene_of("schwarzschild", {}, 1.0, 15.0), scene_of("schwarzschild", {}, 0.2, 1.3),
@@ -76,7 +76,7 @@ TEST_CASE("photon ring: half orbits of traced rays without spin") {
 }
 
 TEST_CASE("photon ring: half orbits of traced rays about rotating holes") {
-    Worst worst;
+    PhotonRingWorst worst;
     test::Selection selection(17);
     for (const Scene& scene :
          {scene_of("kerr", {{"spin", 0.9}}, 1.3, 15.0, ObserverKind::kZamo),
@@ -91,7 +91,7 @@ TEST_CASE("photon ring: half orbits of traced rays about rotating holes") {
 }
 
 TEST_CASE("photon ring: circles within the orbit of light, and refusals in one line") {
-    Worst worst;
+    PhotonRingWorst worst;
     measure(scene_of("schwarzschild", {}, 1.0, 15.0), 1.0, 1.2, worst);
     measure(scene_of("kerr", {{"spin", 0.9}}, 1.3, 15.0), 3.0, 1.3, worst);
     report("within", worst);

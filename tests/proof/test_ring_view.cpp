@@ -23,7 +23,7 @@ constexpr double kAllowed_px = 0.05;
 constexpr double kEdge_px = 0.01;    // from the critical curve: closer to it a fate may be the other
 constexpr double kBeside_px = 1e-4;  // over which differences are taken
 
-struct Worst {
+struct RingViewWorst {
     double sky_px = 0, disc_px = 0;
     int rays = 0, on_disc = 0;
 };
@@ -51,13 +51,13 @@ double motion(const ExactRing& exact, double x, double y, const Of& of) {
     return std::max(of(exact.ray(x + kBeside_px, y)), of(exact.ray(x, y + kBeside_px))) / kBeside_px;
 }
 
-Worst judge(const Scene& scene, RayPixel (*core)(const CoreInput&, double, double), int rays, Random& random) {
+RingViewWorst judge(const Scene& scene, RayPixel (*core)(const CoreInput&, double, double), int rays, Random& random) {
     FrameTables tables;
     const Status ready = tables.update(scene);
     REQUIRE_MESSAGE(ready, (ready ? "" : ready.error().message()));
     const CoreInput input = tables.core_input();
     const ExactRing exact(scene);
-    Worst worst;
+    RingViewWorst worst;
     for (int i = 0; i < rays; ++i) {
         const double x = random.between(-640, 640), y = random.between(-360, 360);
         const RayPixel tested = core(input, x, y);
@@ -101,7 +101,7 @@ Worst judge(const Scene& scene, RayPixel (*core)(const CoreInput&, double, doubl
     return worst;
 }
 
-struct View {
+struct DepthView {
     std::string name;
     ObserverKind observer;
     Vec3 velocity;
@@ -110,20 +110,20 @@ struct View {
 }  // namespace
 
 TEST_CASE("zoom: directions and disc places are those of exact arithmetic, to 1e-300") {
-    const std::vector<View> views = {{"at rest", ObserverKind::kStatic, {}},
-                                     {"0.7 c aside", ObserverKind::kStatic, {0.2, -0.3, 0.6}},
-                                     {"falling", ObserverKind::kRain, {}},
-                                     {"in orbit", ObserverKind::kOrbit, {}}};
+    const std::vector<DepthView> views = {{"at rest", ObserverKind::kStatic, {}},
+                                          {"0.7 c aside", ObserverKind::kStatic, {0.2, -0.3, 0.6}},
+                                          {"falling", ObserverKind::kRain, {}},
+                                          {"in orbit", ObserverKind::kOrbit, {}}};
     Random random(seed());
     const bool quick = test::by_depth(0, 1, 1) == 0;
     for (const double distance : {1e-3, 1e-8, 1e-15, 1e-30, 1e-100, 1e-300})
-        for (const View& view : views) {
+        for (const DepthView& view : views) {
             if (quick && ((distance != 1e-15 && distance != 1e-300) || &view - views.data() > 1)) continue;
             Scene scene = zoomed(distance);
             scene.camera.observer = view.observer;
             scene.camera.velocity = view.velocity;
             for (const auto& [name, core] : {std::pair{"core64", &trace_core64}, {"core32", &trace_core32}}) {
-                const Worst worst = judge(scene, core, tries(30), random);
+                const RingViewWorst worst = judge(scene, core, tries(30), random);
                 CAPTURE(view.name);
                 CAPTURE(distance);
                 CAPTURE(name);

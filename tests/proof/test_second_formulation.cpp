@@ -19,12 +19,12 @@ using namespace nullscope::proof;
 
 // Roundings of the answer and of each input, an input's counted as often as the answer multiplies it: the reference is a chain
 // of some ten operations; the integration, in 64 bits of mantissa and with steps good to 1e-18, adds less than one of its roundings.
-constexpr double kRoundings = 16;
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kSecondFormulationRoundings = 16;
+constexpr double kSecondFormulationEpsilon = std::numeric_limits<double>::epsilon();
 constexpr int kCrossings = 8;
 constexpr double kCriticalImpact2 = 6.75;  // in r_s^2
 
-struct Case {
+struct SecondFormulationCase {
     std::string name;
     Scene scene;
     RayQuery query;
@@ -32,8 +32,8 @@ struct Case {
 
 // How much an answer changes by a relative change of its inputs r and n_t (the tangent of the view direction), by differences
 // of the second formulation.
-struct Bundle {
-    Bundle(const KerrSchildMetric& metric, const RayQuery& asked) {
+struct SecondFormulationBundle {
+    SecondFormulationBundle(const KerrSchildMetric& metric, const RayQuery& asked) {
         const LongQuery query = long_query(asked);
         const LongVec n = query.n;
         const Long across2 = (n.y * n.y + n.z * n.z) / (n.x * n.x + n.y * n.y + n.z * n.z);
@@ -75,13 +75,13 @@ double judge(const std::string& what, double error, double roundings) {
     CAPTURE(what);
     CAPTURE(error);
     CAPTURE(roundings);
-    const double ratio = error == 0 ? 0 : error / (kRoundings * kEpsilon * roundings);
+    const double ratio = error == 0 ? 0 : error / (kSecondFormulationRoundings * kSecondFormulationEpsilon * roundings);
     CHECK(ratio <= 1);
     return ratio;
 }
 void keep(double& most, double ratio) { most = std::max(most, ratio); }
 
-void check(const Case& c, Figures& figures) {
+void check(const SecondFormulationCase& c, Figures& figures) {
     const auto metric = kerr_schild_metric(c.scene.spacetime);
     REQUIRE_MESSAGE(metric, "kerr_schild.cpp does not know this metric yet: " << c.scene.spacetime.metric);
     const auto record = reference::trace_ray(c.scene, c.query, kCrossings);
@@ -91,7 +91,7 @@ void check(const Case& c, Figures& figures) {
                     c.query.frame == LocalFrame::kRain ? "rain" : "static");
     CAPTURE(ray);
     REQUIRE(record);
-    const Bundle bundle(*metric, c.query);
+    const SecondFormulationBundle bundle(*metric, c.query);
     const IntegratedRay& exact = bundle.here;
     ++figures.rays;
     figures.steps = std::max(figures.steps, exact.steps);
@@ -141,9 +141,9 @@ void check(const Case& c, Figures& figures) {
     }
 }
 
-void check_all(const std::string& title, const std::vector<Case>& cases) {
+void check_all(const std::string& title, const std::vector<SecondFormulationCase>& cases) {
     Figures f;
-    for (const Case& c : cases) check(c, f);
+    for (const SecondFormulationCase& c : cases) check(c, f);
     fmt::print(
         "{}: {} rays ({} escaped, {} captured, {} crossings; {} steps at most); largest error over bound: angle "
         "{:.2f}, "
@@ -151,21 +151,22 @@ void check_all(const std::string& title, const std::vector<Case>& cases) {
         title, f.rays, f.escaped, f.captured, f.crossings, f.steps, f.angle, f.direction, f.delay, f.crossing);
 }
 
-Case ray(std::string name, double r, double theta, double phi, Vec3 n, LocalFrame frame = LocalFrame::kStatic) {
-    Case c;
+SecondFormulationCase ray(std::string name, double r, double theta, double phi, Vec3 n,
+                          LocalFrame frame = LocalFrame::kStatic) {
+    SecondFormulationCase c;
     c.name = std::move(name);
     c.query = {r, theta, phi, n, frame, {}, {}};
     return c;
 }
 // Off the critical direction by a part of its sine; bearing: of the motion, from southward to eastward.
-Case near_critical(double r, double part, double bearing) {
+SecondFormulationCase near_critical(double r, double part, double bearing) {
     const double sine = std::sqrt(6.75 * (r - 1) / r) / r * (1 + part), cosine = std::sqrt(1 - sine * sine);
     return ray(fmt::format("critical {:+.0e}", part), r, 1.1, 0.4,
                {r > 1.5 ? -cosine : cosine, sine * std::cos(bearing), sine * std::sin(bearing)});
 }
 
 TEST_CASE("second formulation: named hard rays") {
-    std::vector<Case> cases;
+    std::vector<SecondFormulationCase> cases;
     for (const double part : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10})
         for (const int side : {-1, 1}) {
             cases.push_back(near_critical(10, side * part, 0.7));
@@ -200,9 +201,9 @@ TEST_CASE("second formulation: random rays in every metric") {
             CHECK_FALSE((spacetime->can_have_disc() && spacetime->planar_rays()));
             continue;
         }
-        std::vector<Case> cases;
+        std::vector<SecondFormulationCase> cases;
         for (int i = 0; i < tries(150); ++i) {
-            Case c;
+            SecondFormulationCase c;
             c.name = fmt::format("{} {}", entry.key, i);
             c.scene.spacetime.metric = entry.key;
             for (const MetricParameter& p : entry.parameters)

@@ -22,8 +22,8 @@ namespace {
 
 using namespace nullscope;
 
-constexpr double kFloat = 1e-6;     // measures are kept as float
-constexpr double kRounding = 1e-6;  // px; rounding of unit vectors over the smallest motion per pixel used here
+constexpr double kFloat = 1e-6;            // measures are kept as float
+constexpr double kCompareRounding = 1e-6;  // px; rounding of unit vectors over the smallest motion per pixel used here
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
 Vec3 direction(double azimuth, double latitude) {
@@ -170,7 +170,7 @@ TEST_CASE("compare: a fate is forgiven within the band around the exact edge and
         const RayMeasures m = measure_rays(tested, camera, FlatSky{8.5 + off, 1e-3});
         CHECK(m.fate_errors == (off < kFateBand_px ? 0 : camera.height));
         CHECK(m.forgiven == (off < kFateBand_px ? camera.height : 0));
-        CHECK(m.sky_px.max < kRounding);
+        CHECK(m.sky_px.max < kCompareRounding);
         CHECK(m.not_finite == 0);
     }
 }
@@ -183,7 +183,7 @@ TEST_CASE("compare: a frame's errors land where they were put") {
     tested.pixels[7].delay = kNotANumber;
     const RayMeasures m = measure_rays(tested, camera, sky);
     CHECK(m.sky_px.max == doctest::Approx(0.25).epsilon(1e-3));
-    CHECK(m.sky_px.median < kRounding);
+    CHECK(m.sky_px.median < kCompareRounding);
     CHECK(m.sky_px.count == 16 * 12);
     CHECK(m.not_finite == 1);
     const auto worst = worst_pixels(m, 2);
@@ -192,7 +192,7 @@ TEST_CASE("compare: a frame's errors land where they were put") {
     CHECK(worst[0].y == 5);
     // Rows can be left out.
     const RayMeasures even = measure_rays(tested, camera, sky, 2);
-    CHECK(even.sky_px.max < kRounding);
+    CHECK(even.sky_px.max < kCompareRounding);
     CHECK(even.sky_px.count == 16 * 6);
     CHECK(even.at(3, 5).end == RayEnd::kNotCompared);
     // Without a trace: the same from the neighbours.

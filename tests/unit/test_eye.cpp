@@ -15,8 +15,8 @@ using namespace nullscope;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kRounding = 1e-9;  // measured: 2e-11
+constexpr double kEyePi = std::numbers::pi;
+constexpr double kEyeRounding = 1e-9;  // measured: 2e-11
 
 std::shared_ptr<const Spacetime> world(const std::string& metric,
                                        const std::vector<std::pair<std::string, double>>& parameters = {}) {
@@ -81,10 +81,10 @@ TEST_CASE("eye: in flat spacetime a camera beside the camera, looking the same w
     const CameraSpec camera{.r = 2, .theta = 1.1, .phi = 0.7, .yaw = 0.3, .pitch = -0.8, .roll = 0.4};
     const Vec3 offset{0.2, -0.1, 0.25};
     const Eye eye = eye_of(*flat, camera, offset);
-    CHECK(length(place_of(eye.camera) - place_of(camera) - axes_of(camera) * offset) < kRounding);
-    CHECK(difference(axes_of(eye.camera), axes_of(camera)) < kRounding);
+    CHECK(length(place_of(eye.camera) - place_of(camera) - axes_of(camera) * offset) < kEyeRounding);
+    CHECK(difference(axes_of(eye.camera), axes_of(camera)) < kEyeRounding);
     CHECK(eye.camera.velocity == Vec3{});
-    CHECK(eye.later == doctest::Approx(0).epsilon(kRounding));
+    CHECK(eye.later == doctest::Approx(0).epsilon(kEyeRounding));
 
     // Of a moving camera: what it takes for simultaneous, for it a length.
     CameraSpec moving = camera;
@@ -95,18 +95,18 @@ TEST_CASE("eye: in flat spacetime a camera beside the camera, looking the same w
     const Vec3 step = along + swept * gamma / (1 + gamma) * moving.velocity;
     const Eye other = eye_of(*flat, moving, offset);
     const Mat3 world_axes = world_from_static(moving.theta, moving.phi);
-    CHECK(other.later == doctest::Approx(swept).epsilon(kRounding));
-    CHECK(length(place_of(other.camera) - place_of(moving) - world_axes * step) < kRounding);
+    CHECK(other.later == doctest::Approx(swept).epsilon(kEyeRounding));
+    CHECK(length(place_of(other.camera) - place_of(moving) - world_axes * step) < kEyeRounding);
     CHECK(length(world_from_static(other.camera.theta, other.camera.phi) * other.camera.velocity -
-                 world_axes * moving.velocity) < kRounding);
-    CHECK(difference(axes_of(other.camera), axes_of(moving)) < kRounding);
+                 world_axes * moving.velocity) < kEyeRounding);
+    CHECK(difference(axes_of(other.camera), axes_of(moving)) < kEyeRounding);
 }
 
 // The geodesic of the slice t = constant with the turning point r0: ds = dr/sqrt(A (1 - r0^2/r^2)), dphi = r0 ds/r^2. With r = r0 + x^2 both
 // are smooth in x. The axes keep their angle to it.
 TEST_CASE("eye: beside a camera at rest about a hole, by quadrature") {
     const double r0 = 3, whole = 0.7;
-    const CameraSpec camera{.r = r0, .theta = 0.5 * kPi, .phi = 0.2};
+    const CameraSpec camera{.r = r0, .theta = 0.5 * kEyePi, .phi = 0.2};
     const Eye eye = eye_of(*world("schwarzschild"), camera, {whole, 0, 0});
     const double end = std::sqrt(eye.camera.r - r0);
     constexpr int kPanels = 2000;
@@ -118,12 +118,12 @@ TEST_CASE("eye: beside a camera at rest about a hole, by quadrature") {
     }
     CHECK(length_along == doctest::Approx(whole).epsilon(1e-7));
     CHECK(eye.camera.phi - camera.phi == doctest::Approx(angle).epsilon(1e-7));
-    CHECK(eye.camera.theta == doctest::Approx(0.5 * kPi).epsilon(kRounding));
+    CHECK(eye.camera.theta == doctest::Approx(0.5 * kEyePi).epsilon(kEyeRounding));
     CHECK(eye.camera.velocity == Vec3{});
-    CHECK(std::fabs(eye.later) < kRounding);
+    CHECK(std::fabs(eye.later) < kEyeRounding);
     // Its right axis is the geodesic's tangent, r0/r across.
     const Vec3 right = static_from_camera(eye.camera).a;
-    CHECK(right.z == doctest::Approx(r0 / eye.camera.r).epsilon(kRounding));
+    CHECK(right.z == doctest::Approx(r0 / eye.camera.r).epsilon(kEyeRounding));
     CHECK(right.x > 0);
 }
 
@@ -137,15 +137,15 @@ TEST_CASE("eye: back again, on in two steps, and what symmetries conserve") {
         const Eye eye = eye_of(*spacetime, camera, offset), half = eye_of(*spacetime, camera, 0.5 * offset),
                   on = eye_of(*spacetime, half.camera, 0.5 * offset), back = eye_of(*spacetime, eye.camera, -offset);
         for (const auto& [is, was] : {std::pair{&on.camera, &eye.camera}, {&back.camera, &camera}}) {
-            CHECK(std::fabs(is->r - was->r) < kRounding * scale);
+            CHECK(std::fabs(is->r - was->r) < kEyeRounding * scale);
             CHECK(length(world_from_static(is->theta, is->phi).a - world_from_static(was->theta, was->phi).a) <
-                  kRounding);
-            CHECK(difference(axes_of(*is), axes_of(*was)) < kRounding);
+                  kEyeRounding);
+            CHECK(difference(axes_of(*is), axes_of(*was)) < kEyeRounding);
             CHECK(length(world_from_static(is->theta, is->phi) * is->velocity -
-                         world_from_static(was->theta, was->phi) * was->velocity) < kRounding);
+                         world_from_static(was->theta, was->phi) * was->velocity) < kEyeRounding);
         }
-        CHECK(half.later + on.later == doctest::Approx(eye.later).epsilon(kRounding));
-        CHECK(eye.later + back.later == doctest::Approx(0).epsilon(kRounding));
+        CHECK(half.later + on.later == doctest::Approx(eye.later).epsilon(kEyeRounding));
+        CHECK(eye.later + back.later == doctest::Approx(0).epsilon(kEyeRounding));
         // The components of d_v and, off the axis, of d_phi along the geodesic.
         const auto conserved = [&](const CameraSpec& there) -> std::array<double, 2> {
             const auto pair = ingoing_hat_pair(*spacetime, there);
@@ -172,8 +172,8 @@ TEST_CASE("eye: back again, on in two steps, and what symmetries conserve") {
             return along;
         };
         const auto first = conserved(camera), last = conserved(eye.camera);
-        CHECK(last[0] == doctest::Approx(first[0]).epsilon(kRounding));
-        CHECK(last[1] == doctest::Approx(first[1]).epsilon(kRounding));
+        CHECK(last[0] == doctest::Approx(first[0]).epsilon(kEyeRounding));
+        CHECK(last[1] == doctest::Approx(first[1]).epsilon(kEyeRounding));
     }
 }
 
@@ -185,9 +185,9 @@ TEST_CASE("eye: there and back in every metric") {
         const CameraSpec camera{.r = 4, .theta = 1.2, .phi = -3.1, .yaw = 2.0, .pitch = 0.4};
         const Vec3 offset{0.3, -0.2, 0.1};
         const Eye eye = eye_of(*spacetime, camera, offset), back = eye_of(*spacetime, eye.camera, -offset);
-        CHECK(length(place_of(back.camera) - place_of(camera)) < kRounding);
-        CHECK(difference(axes_of(back.camera), axes_of(camera)) < kRounding);
-        CHECK(length(back.camera.velocity) < kRounding);
+        CHECK(length(place_of(back.camera) - place_of(camera)) < kEyeRounding);
+        CHECK(difference(axes_of(back.camera), axes_of(camera)) < kEyeRounding);
+        CHECK(length(back.camera.velocity) < kEyeRounding);
         CHECK(length(place_of(eye.camera) - place_of(camera)) > 0.2);
     }
 }
@@ -234,7 +234,7 @@ TEST_CASE("stereo: all-round columns against the closed form, and seams within t
     const auto flat = world("minkowski");
     CameraSpec camera{.r = 9, .theta = 1.3, .phi = 0.4, .yaw = 0.2, .pitch = 0.1, .roll = 0.3};
     camera.projection = Projection::kEquirectangular;
-    set_field_of_view(camera, 2 * kPi);
+    set_field_of_view(camera, 2 * kEyePi);
     camera.width = camera.height = 8192;
     camera.stereo = Stereo::kAllRound;
     const std::vector<EyePart> parts = eye_parts(camera);

@@ -135,22 +135,23 @@ double worst_sweep(const World& world, const RayFamily& family, double r, bool r
 
 TEST_CASE("formula: swept angles of the table are the reference's") {
     constexpr double kSweep = 4e-9;  // rad; as of the other metrics (test_ray_family.cpp)
-    struct Case {
+    struct FormulaCase {
         std::string name;
         MetricParameters parameters;
         std::vector<double> radii;
         bool falls;
     };
     // The last two: Schwarzschild's hole again, with r measured otherwise.
-    for (const Case& c : {Case{"Kottler", formulas(kKottler), {1.05, 1.4, 1.5, 3.0, 30.0, 120.0}, true},
-                          Case{"Kottler, strong", formulas(kStrongKottler), {1.1, 1.5, 2.0, 5.0, 6.8}, false},
-                          Case{"Hayward", formulas(kHayward), {0.83, 1.2, 1.5, 20.0, 1e5}, true},
-                          Case{"Bardeen", formulas(kBardeen), {0.75, 1.2, 1.5, 20.0, 1e5}, true},
-                          Case{"moved", formulas("1 - 1/(r + 0.5)", "", "r + 0.5"), {0.6, 1.0, 3.0, 30.0}, false},
-                          Case{"bent",
-                               formulas("1 - 1/(r + 0.1/r)", "(1 - 0.1/r^2)^2/(1 - 1/(r + 0.1/r))", "r + 0.1/r"),
-                               {1.0, 1.5, 30.0},
-                               false}}) {
+    for (const FormulaCase& c :
+         {FormulaCase{"Kottler", formulas(kKottler), {1.05, 1.4, 1.5, 3.0, 30.0, 120.0}, true},
+          FormulaCase{"Kottler, strong", formulas(kStrongKottler), {1.1, 1.5, 2.0, 5.0, 6.8}, false},
+          FormulaCase{"Hayward", formulas(kHayward), {0.83, 1.2, 1.5, 20.0, 1e5}, true},
+          FormulaCase{"Bardeen", formulas(kBardeen), {0.75, 1.2, 1.5, 20.0, 1e5}, true},
+          FormulaCase{"moved", formulas("1 - 1/(r + 0.5)", "", "r + 0.5"), {0.6, 1.0, 3.0, 30.0}, false},
+          FormulaCase{"bent",
+                      formulas("1 - 1/(r + 0.1/r)", "(1 - 0.1/r^2)^2/(1 - 1/(r + 0.1/r))", "r + 0.1/r"),
+                      {1.0, 1.5, 30.0},
+                      false}}) {
         const World world = world_of("formula", c.parameters);
         double worst = 0;
         for (const double r : c.radii) {

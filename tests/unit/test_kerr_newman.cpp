@@ -19,7 +19,7 @@ using reference::KerrRay;
 
 namespace {
 
-constexpr double kPixel_rad = 6e-4;  // of a 1080p frame of 60 degrees
+constexpr double kKerrNewmanPixel_rad = 6e-4;  // of a 1080p frame of 60 degrees
 
 std::shared_ptr<const AxialMetric> hole(double spin, double charge) {
     return test::axial(*make_spacetime("kerr-newman", {{"spin", spin}, {"charge", charge}}));
@@ -128,7 +128,7 @@ TEST_CASE("kerr-newman: the shader core meets the reference, in double and in fl
                 double sway = 1;
                 for (const Vec3 by : {Vec3{1e-7, 0, 0}, Vec3{0, 1e-7, 0}, Vec3{0, 0, 1e-7}})
                     sway = std::max(sway, length(traced(look + by).sky - exact.sky) / 1e-7);
-                worst = std::max(worst, length(pixel.sky - exact.sky) / sway / kPixel_rad);
+                worst = std::max(worst, length(pixel.sky - exact.sky) / sway / kKerrNewmanPixel_rad);
                 worst_g = std::max(worst_g, std::abs(pixel.g * exact.energy - 1));
                 ++rays;
             }

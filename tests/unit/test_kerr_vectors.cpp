@@ -17,7 +17,8 @@ using reference::KerrRay;
 using reference::KerrStart;
 
 constexpr double kSpin = 0.9;
-constexpr double kTolerance = 1e-10;  // times the condition number: what the project promises for this witness
+constexpr double kKerrVectorsTolerance =
+    1e-10;  // times the condition number: what the project promises for this witness
 // Of the inputs, for the condition number: halfway between rounding and the nearest critical ray.
 constexpr double kNudge = 1e-10;
 constexpr int kCrossings = 2;
@@ -95,7 +96,7 @@ Worst compare(double bias) {
             }
             if (std::isnan(expected) || std::isnan(found)) continue;
             const double error = apart(column, expected, found) / std::max(1.0, std::abs(expected));
-            if (error <= kTolerance) {
+            if (error <= kKerrVectorsTolerance) {
                 worst.error = std::max(worst.error, error);
                 continue;
             }
@@ -112,10 +113,12 @@ TEST_CASE("the reference meets every row of the Kerr vectors") {
     fmt::print("kerr_a0.9.csv: {} rows, largest error over condition number {:.2g}\n", worst.rows, worst.error);
     CHECK(worst.rows == 172);
     CHECK(worst.fates == 0);
-    CHECK(worst.error <= kTolerance);
+    CHECK(worst.error <= kKerrVectorsTolerance);
 }
 
-TEST_CASE("a view direction off by 1e-8 is found by the Kerr vectors") { CHECK(compare(1e-8).error > kTolerance); }
+TEST_CASE("a view direction off by 1e-8 is found by the Kerr vectors") {
+    CHECK(compare(1e-8).error > kKerrVectorsTolerance);
+}
 
 TEST_CASE("without spin the integrated rays are Schwarzschild's") {
     Scene scene;

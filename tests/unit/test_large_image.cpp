@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr float kRounding = 2e-6f;  // sums of up to some hundred floats of at most 1
+constexpr float kLargeImageRounding = 2e-6f;  // sums of up to some hundred floats of at most 1
 
 Image<unsigned char> speckled(int width, int height, int channels) {
     Image<unsigned char> image(width, height, channels);
@@ -70,7 +70,7 @@ TEST_CASE("a smaller picture has the mean of the areas that its pixels stand for
         CHECK(half->reduced());
         CHECK((half->image.width == 32 && half->image.height == 16));
         for (const float value : half->image.data)
-            CHECK(std::fabs(value - 0.5f) <= kRounding);  // not 0.5 of the code values: 0.21
+            CHECK(std::fabs(value - 0.5f) <= kLargeImageRounding);  // not 0.5 of the code values: 0.21
         CHECK(reduction_words("a.png", *half, "so") == "'a.png': 64x32 px, read as 32x16 px: so");
     }
     REQUIRE(save_png(file, speckled(331, 127, 3)));
@@ -78,7 +78,7 @@ TEST_CASE("a smaller picture has the mean of the areas that its pixels stand for
                odd = Result<Image<float>>(load_fitted_image(file, {.max_side = 100, .whole_pixels = 0})->image);
     REQUIRE(odd);
     CHECK((odd->width == 100 && odd->height == 38));
-    for (int c = 0; c < 3; ++c) CHECK(std::fabs(mean_of(*whole, c) - mean_of(*odd, c)) <= kRounding);
+    for (int c = 0; c < 3; ++c) CHECK(std::fabs(mean_of(*whole, c) - mean_of(*odd, c)) <= kLargeImageRounding);
     // One pixel, by hand: columns [16.55, 19.86), rows [10.03, 13.37) of the old one.
     double sum = 0.0, area = 0.0;
     for (int y = 0; y < whole->height; ++y)
@@ -87,7 +87,7 @@ TEST_CASE("a smaller picture has the mean of the areas that its pixels stand for
             const double h = std::max(0.0, std::min(y + 1.0, 4 * 127.0 / 38) - std::max(y + 0.0, 3 * 127.0 / 38));
             sum += w * h * static_cast<double>(whole->at(x, y)[1]), area += w * h;
         }
-    CHECK(std::fabs(static_cast<double>(odd->at(5, 3)[1]) - sum / area) <= kRounding);
+    CHECK(std::fabs(static_cast<double>(odd->at(5, 3)[1]) - sum / area) <= kLargeImageRounding);
 }
 
 TEST_CASE("colours behind nothing do not bleed into a smaller picture") {

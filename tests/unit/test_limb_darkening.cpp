@@ -13,11 +13,11 @@ using namespace nullscope;
 
 namespace {
 
-struct Fixture {
+struct LimbDarkeningFixture {
     std::unique_ptr<reference::Metric> metric = std::move(*reference::make_metric({"schwarzschild", {}}));
     DiscSpec plain, darkened;
     LightSpec at_rest;  // matter sees directions as observers at rest do
-    Fixture() {
+    LimbDarkeningFixture() {
         plain.emission = DiscEmission::kThermal;
         darkened = plain;
         darkened.effects.limb_darkening = true;
@@ -26,7 +26,7 @@ struct Fixture {
 };
 
 // I/F, by light that leaves matter at rest in the radial plane.
-struct Law : Fixture {
+struct Law : LimbDarkeningFixture {
     const reference::DiscLight with{*metric, darkened, at_rest}, without{*metric, plain, at_rest};
     double law(double cosine) const {
         const reference::PhotonAtDisc photon{8.0, 0.0, std::sqrt((1 - cosine) * (1 + cosine))};
@@ -62,7 +62,8 @@ TEST_CASE_FIXTURE(Law, "limb darkening: the reference's law is Chandrasekhar's t
 
 // Matter on a circle at v, light along the normal in its own frame: to who is at rest there it comes tilted by the aberration of v,
 // with cosine 1/gamma. And the other way round.
-TEST_CASE_FIXTURE(Fixture, "limb darkening: the cosine in the matter's frame has its motion's aberration") {
+TEST_CASE_FIXTURE(LimbDarkeningFixture,
+                  "limb darkening: the cosine in the matter's frame has its motion's aberration") {
     constexpr double kRounding = 1e-9;
     const double r = 8.0, lapse = std::sqrt(1 - 1 / r), v = std::sqrt(0.5 / (r - 1)), gamma = 1 / std::sqrt(1 - v * v);
     const reference::DiscLight moving(*metric, darkened, {}), rest(*metric, darkened, at_rest);

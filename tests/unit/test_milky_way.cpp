@@ -18,11 +18,11 @@ using namespace nullscope;
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kMilkyWayDegree = std::numbers::pi / 180.0;
 const std::filesystem::path kSky = test::source_folder() / "assets" / "sky";
 
-Vec3 direction(double ra_degrees, double dec_degrees) {
-    const double ra = ra_degrees * kDegree, dec = dec_degrees * kDegree;
+Vec3 milky_way_direction(double ra_degrees, double dec_degrees) {
+    const double ra = ra_degrees * kMilkyWayDegree, dec = dec_degrees * kMilkyWayDegree;
     return {std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec)};
 }
 
@@ -113,25 +113,26 @@ struct Map {
     // what(x, y, direction, solid angle in square degrees) of every pixel within `radius` degrees.
     template <class What>
     void within(Vec3 centre, double radius, const What& what) const {
-        const double pixel = 180.0 / image.height, middle = std::asin(centre.z) / kDegree;
+        const double pixel = 180.0 / image.height, middle = std::asin(centre.z) / kMilkyWayDegree;
         for (int y = 0; y < image.height; ++y) {
             const double dec = 90.0 - (y + 0.5) * pixel;
             if (std::fabs(dec - middle) > radius) continue;
             for (int x = 0; x < image.width; ++x) {
-                const Vec3 d = direction((0.5 - (x + 0.5) / image.width) * 360.0, dec);
-                if (angle_between(d, centre) <= radius * kDegree)
-                    what(x, y, d, pixel * pixel * std::cos(dec * kDegree));
+                const Vec3 d = milky_way_direction((0.5 - (x + 0.5) / image.width) * 360.0, dec);
+                if (angle_between(d, centre) <= radius * kMilkyWayDegree)
+                    what(x, y, d, pixel * pixel * std::cos(dec * kMilkyWayDegree));
             }
         }
     }
 };
 
 Vec3 found_place(const Map& map, const Feature& feature) {
-    const Vec3 centre = direction(feature.ra, feature.dec);
+    const Vec3 centre = milky_way_direction(feature.ra, feature.dec);
     std::vector<double> ring;
     double most = 0.0;
     map.within(centre, 2.0 * feature.radius, [&](int x, int y, Vec3 d, double) {
-        if (angle_between(d, centre) > 1.2 * feature.radius * kDegree) ring.push_back(map.value(x, y, feature.seek));
+        if (angle_between(d, centre) > 1.2 * feature.radius * kMilkyWayDegree)
+            ring.push_back(map.value(x, y, feature.seek));
     });
     std::nth_element(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(ring.size() / 2), ring.end());
     const double level = ring[ring.size() / 2];
@@ -158,8 +159,8 @@ constexpr double kExcluded = 6.5;     // V of the brightest stars in these figur
 constexpr double kUncertainty = 0.3;  // of published figures and of a picture that was made to be looked at
 
 Vec3 galactic(double longitude, double latitude) {
-    const Vec3 centre = direction(266.405, -28.936), pole = direction(192.8595, 27.1284);
-    const double l = longitude * kDegree, b = latitude * kDegree;
+    const Vec3 centre = milky_way_direction(266.405, -28.936), pole = milky_way_direction(192.8595, 27.1284);
+    const double l = longitude * kMilkyWayDegree, b = latitude * kMilkyWayDegree;
     return std::cos(b) * std::cos(l) * centre + std::cos(b) * std::sin(l) * cross(pole, centre) + std::sin(b) * pole;
 }
 
@@ -171,14 +172,16 @@ TEST_CASE(
     REQUIRE(stars);
     CHECK(std::size(kStars) == 50);
     for (const BrightStar& known : kStars) {
-        const Vec3 place = direction(15.0 * (known.ra_hours + known.ra_minutes / 60.0),
-                                     known.dec_degrees + std::copysign(known.dec_minutes / 60.0, known.dec_degrees));
+        const Vec3 place =
+            milky_way_direction(15.0 * (known.ra_hours + known.ra_minutes / 60.0),
+                                known.dec_degrees + std::copysign(known.dec_minutes / 60.0, known.dec_degrees));
         const auto nearest = std::min_element(stars->begin(), stars->begin() + 300, [&](const Star& a, const Star& b) {
             return angle_between(a.direction, place) < angle_between(b.direction, place);
         });
         CAPTURE(std::string(known.name));
-        CHECK(angle_between(nearest->direction, place) < 0.02 * kDegree);  // proper motion, and binaries' middles
-        CHECK(std::fabs(nearest->magnitude - known.magnitude) < 0.15);     // some vary
+        CHECK(angle_between(nearest->direction, place) <
+              0.02 * kMilkyWayDegree);                                  // proper motion, and binaries' middles
+        CHECK(std::fabs(nearest->magnitude - known.magnitude) < 0.15);  // some vary
     }
 }
 
@@ -186,7 +189,8 @@ TEST_CASE("the Milky Way map: 24 nebulae, clusters and galaxies within 0.3 degre
     const Map map = Map::load();
     for (const Feature& feature : kFeatures) {
         CAPTURE(std::string(feature.name));
-        CHECK(angle_between(found_place(map, feature), direction(feature.ra, feature.dec)) < 0.3 * kDegree);
+        CHECK(angle_between(found_place(map, feature), milky_way_direction(feature.ra, feature.dec)) <
+              0.3 * kMilkyWayDegree);
     }
 }
 
@@ -201,7 +205,7 @@ TEST_CASE("the Milky Way map: with the catalogue's stars as bright as published,
             light += square_degrees * map.light(x, y), area += square_degrees;
         });
         for (const Star& star : *stars)
-            if (star.magnitude > kExcluded && angle_between(star.direction, centre) < field.radius * kDegree)
+            if (star.magnitude > kExcluded && angle_between(star.direction, centre) < field.radius * kMilkyWayDegree)
                 drawn += std::pow(10.0, -0.4 * (star.magnitude - 10.0)) / area;
         CAPTURE(std::string(field.name));
         CHECK(light / area == doctest::Approx(field.published_S10 - drawn).epsilon(kUncertainty));

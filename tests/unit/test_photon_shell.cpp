@@ -12,7 +12,7 @@ namespace {
 
 using namespace nullscope;
 
-constexpr double kPi = M_PI, kRounding = 2e-14, kPrinted = 6e-12;
+constexpr double kPhotonShellPi = M_PI, kPhotonShellRounding = 2e-14, kPrinted = 6e-12;
 
 PhotonOrbit orbit_of(const Spacetime& spacetime, double theta, double psi) {
     const auto orbit = photon_orbit(spacetime, theta, psi);
@@ -20,7 +20,7 @@ PhotonOrbit orbit_of(const Spacetime& spacetime, double theta, double psi) {
     return *orbit;
 }
 PhotonOrbit circle_of(const char* metric, const std::map<std::string, double>& parameters) {
-    return orbit_of(**make_spacetime(metric, parameters), 0.5 * kPi, 0.0);
+    return orbit_of(**make_spacetime(metric, parameters), 0.5 * kPhotonShellPi, 0.0);
 }
 bool near(double value, double wanted, double part) { return std::fabs(value - wanted) <= part * std::fabs(wanted); }
 std::string refusal(const char* metric, const std::map<std::string, double>& parameters) {
@@ -48,10 +48,10 @@ TEST_CASE("photon orbits of rotating holes: gamma, drag and delay of other compu
         CHECK(near(2.0 * orbit->delay, k.delay_m, kPrinted));
         if (!k.polar) continue;
         CHECK(orbit->lambda == 0.0);
-        CHECK(orbit->azimuth == orbit->drag + kPi);
+        CHECK(orbit->azimuth == orbit->drag + kPhotonShellPi);
         const auto same = photon_orbit_at(*metric, orbit->r);
         REQUIRE(same);
-        CHECK(near(same->gamma, orbit->gamma, kRounding));
+        CHECK(near(same->gamma, orbit->gamma, kPhotonShellRounding));
         CHECK(std::fabs(same->lambda) < 1e-14);
     }
 }
@@ -60,8 +60,8 @@ TEST_CASE("photon orbits of rotating holes: gamma, drag and delay of other compu
 TEST_CASE("photon orbits of rotating holes: they are critical, and their integrals complete elliptic ones") {
     for (const double spin : {1e-3, 0.3, 0.9, 0.999})
         for (const double charge : {0.0, 0.03, 0.4})
-            for (const double theta : {0.5 * kPi, 1.2, 0.3})
-                for (const double psi : {0.0, 0.1, 1.0, 1.9, 3.0, kPi}) {
+            for (const double theta : {0.5 * kPhotonShellPi, 1.2, 0.3})
+                for (const double psi : {0.0, 0.1, 1.0, 1.9, 3.0, kPhotonShellPi}) {
                     if (spin * spin + charge * charge > AxialMetric::kMost) continue;
                     CAPTURE(spin);
                     CAPTURE(charge);
@@ -94,10 +94,10 @@ TEST_CASE("photon orbits of rotating holes: they are critical, and their integra
 TEST_CASE("photon orbits of rotating holes: the equatorial ones, the ends of the shell, without spin, extremal") {
     for (const double spin : {0.1, 0.9, 0.9999}) {
         const auto metric = test::kerr(spin);
-        for (const double psi : {0.0, kPi}) {
+        for (const double psi : {0.0, kPhotonShellPi}) {
             CAPTURE(spin);
             CAPTURE(psi);
-            const PhotonOrbit o = orbit_of(*metric, 0.5 * kPi, psi);
+            const PhotonOrbit o = orbit_of(*metric, 0.5 * kPhotonShellPi, psi);
             // Bardeen, Press and Teukolsky (1972): r = 2 M (1 + cos(2/3 acos(-+a/M))).
             CHECK(near(o.r, 1 + std::cos(2.0 / 3.0 * std::acos(psi == 0.0 ? -spin : spin)), 1e-13));
             CHECK(std::fabs(o.eta) < 1e-13);
@@ -111,28 +111,28 @@ TEST_CASE("photon orbits of rotating holes: the equatorial ones, the ends of the
         }
     }
     const double b = 1.5 * std::sqrt(3.0);
-    for (const double psi : {0.0, 1.0, 0.5 * kPi, kPi}) {  // to first order in the spin
+    for (const double psi : {0.0, 1.0, 0.5 * kPhotonShellPi, kPhotonShellPi}) {  // to first order in the spin
         constexpr double kSpin = 1e-9;
-        const PhotonOrbit o = orbit_of(AxialMetric("kerr", kSpin, 0.0), 0.5 * kPi, psi);
+        const PhotonOrbit o = orbit_of(AxialMetric("kerr", kSpin, 0.0), 0.5 * kPhotonShellPi, psi);
         CHECK(near(o.r, 1.5, kSpin));
-        CHECK(near(o.gamma, kPi, kSpin));
-        CHECK(near(o.delay, kPi * b, kSpin));
-        CHECK(near(o.drag, 0.5 * kSpin * 2.0 * kPi / b, 10 * kSpin));
-        CHECK(near(std::fabs(o.azimuth), kPi, kSpin));
+        CHECK(near(o.gamma, kPhotonShellPi, kSpin));
+        CHECK(near(o.delay, kPhotonShellPi * b, kSpin));
+        CHECK(near(o.drag, 0.5 * kSpin * 2.0 * kPhotonShellPi / b, 10 * kSpin));
+        CHECK(near(std::fabs(o.azimuth), kPhotonShellPi, kSpin));
         CHECK(std::fabs(o.lambda - b * std::cos(psi)) < 1e-8);
         CHECK(std::fabs(o.eta - std::pow(b * std::sin(psi), 2)) < 1e-8);
     }
     CHECK(photon_orbit_at(AxialMetric("kerr", 1e-300, 0.0), 1.5));
     // Extremal: s (r - s - 2 a cos(psi)) = 0, so that r = 1 - cos(psi)/2 outside of the horizon, and gamma = sqrt(2 r s) G.
     const AxialMetric extremal("kerr", 1.0, 0.0);
-    for (const double psi : {kPi, 2.0, 1.2}) {
-        const PhotonOrbit o = orbit_of(extremal, 0.5 * kPi, psi);
+    for (const double psi : {kPhotonShellPi, 2.0, 1.2}) {
+        const PhotonOrbit o = orbit_of(extremal, 0.5 * kPhotonShellPi, psi);
         const double cosine = std::cos(psi), at = 1.0 - cosine;
         CHECK(near(o.r, at, 1e-14));
         CHECK(std::isfinite(o.gamma));
     }
-    CHECK(orbit_of(extremal, 0.5 * kPi, 1.0472).gamma < 0.01);
-    const auto sunk = photon_orbit(extremal, 0.5 * kPi, 1.0);
+    CHECK(orbit_of(extremal, 0.5 * kPhotonShellPi, 1.0472).gamma < 0.01);
+    const auto sunk = photon_orbit(extremal, 0.5 * kPhotonShellPi, 1.0);
     REQUIRE(!sunk);
     CHECK(sunk.error().message().find("in the horizon of an extremal hole") != std::string::npos);
 }
@@ -142,12 +142,12 @@ TEST_CASE("photon orbits without spin: closed forms") {
     for (const double psi : {0.0, 1.0, 2.0}) {
         const PhotonOrbit o = orbit_of(*test::spherical("schwarzschild"), 0.7, psi);
         CHECK(o.r == 1.5);
-        CHECK(near(o.gamma, kPi, 1e-15));
+        CHECK(near(o.gamma, kPhotonShellPi, 1e-15));
         CHECK(o.drag == 0.0);
-        CHECK(std::fabs(o.azimuth) == kPi);
+        CHECK(std::fabs(o.azimuth) == kPhotonShellPi);
         CHECK(near(2.0 * o.delay, 16.32419427810796, 1e-15));
-        CHECK(near(o.lambda, b * std::sin(0.7) * std::cos(psi), kRounding));
-        CHECK(near(o.lambda * o.lambda + o.eta, b * b, kRounding));
+        CHECK(near(o.lambda, b * std::sin(0.7) * std::cos(psi), kPhotonShellRounding));
+        CHECK(near(o.lambda * o.lambda + o.eta, b * b, kPhotonShellRounding));
     }
     // Reissner and Nordstrom, M = 1: V = (1 - 2/r + Q^2/r^2)/r^2 and zeta = 1/r, with dV/dzeta = 0:
     //     gamma = pi sqrt(-V''/2) = pi sqrt(2 - 3/r_c),   r_c = (3 + sqrt(9 - 8 Q^2))/2,
@@ -156,23 +156,23 @@ TEST_CASE("photon orbits without spin: closed forms") {
         CAPTURE(charge);
         const double r = 0.5 * (3.0 + std::sqrt(9.0 - 8.0 * charge * charge));
         const PhotonOrbit o = circle_of("reissner-nordstrom", {{"charge", charge}});
-        CHECK(near(2.0 * o.r, r, kRounding));
-        CHECK(near(o.gamma, kPi * std::sqrt(2.0 - 3.0 / r), 1e-13));
-        CHECK(near(2.0 * o.delay, kPi * r / std::sqrt(1.0 - 2.0 / r + charge * charge / (r * r)), 1e-13));
+        CHECK(near(2.0 * o.r, r, kPhotonShellRounding));
+        CHECK(near(o.gamma, kPhotonShellPi * std::sqrt(2.0 - 3.0 / r), 1e-13));
+        CHECK(near(2.0 * o.delay, kPhotonShellPi * r / std::sqrt(1.0 - 2.0 / r + charge * charge / (r * r)), 1e-13));
     }
     const PhotonOrbit star = circle_of("neutron-star", {{"radius", 1.3}});
-    CHECK(near(star.gamma, kPi, 1e-15));
+    CHECK(near(star.gamma, kPhotonShellPi, 1e-15));
     // A cosmological constant moves b_c and the delay, and not the exponent.
     MetricParameters kottler;
     kottler.formulas["A"] = "1 - 1/r - 0.005*r^2";
-    const PhotonOrbit o = orbit_of(**make_spacetime("formula", kottler), 0.5 * kPi, 0.0);
-    CHECK(near(o.gamma, kPi, 1e-12));
-    CHECK(near(o.delay, kPi / std::sqrt(1.0 / (b * b) - 0.005), 1e-12));
-    CHECK(near(circle_of("ellis", {{"throat", 2.0}}).gamma, kPi, 1e-15));
-    CHECK(near(circle_of("ellis", {{"throat", 2.0}}).delay, 2.0 * kPi, 1e-15));
+    const PhotonOrbit o = orbit_of(**make_spacetime("formula", kottler), 0.5 * kPhotonShellPi, 0.0);
+    CHECK(near(o.gamma, kPhotonShellPi, 1e-12));
+    CHECK(near(o.delay, kPhotonShellPi / std::sqrt(1.0 / (b * b) - 0.005), 1e-12));
+    CHECK(near(circle_of("ellis", {{"throat", 2.0}}).gamma, kPhotonShellPi, 1e-15));
+    CHECK(near(circle_of("ellis", {{"throat", 2.0}}).delay, 2.0 * kPhotonShellPi, 1e-15));
     // Janis, Newman and Winicour: of the product that forms h, pi for every g.
     for (const double g : {0.6, 0.75, 1.0})
-        CHECK(near(circle_of("janis-newman-winicour", {{"gamma", g}}).gamma, kPi, 1e-13));
+        CHECK(near(circle_of("janis-newman-winicour", {{"gamma", g}}).gamma, kPhotonShellPi, 1e-13));
 }
 
 TEST_CASE("photon orbits: refused in one line where light has none") {

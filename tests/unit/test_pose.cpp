@@ -18,7 +18,7 @@ using namespace nullscope;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kPosePi = std::numbers::pi;
 constexpr int kPoses = 10'000;
 constexpr double kFastest = 0.999999;           // gamma = 707
 constexpr double kRotationTolerance = 1e-15;    // products of three rotations: a few units in the last place
@@ -48,9 +48,9 @@ struct Sampler {
         camera.r = 1.0 + std::pow(10.0, uniform(-4.0, 3.0));
         camera.theta = std::acos(uniform(-0.9999, 0.9999));
         camera.phi = uniform(-4.0, 4.0);
-        camera.yaw = uniform(-kPi, kPi);
-        camera.pitch = uniform(-kPi, kPi);
-        camera.roll = uniform(-kPi, kPi);
+        camera.yaw = uniform(-kPosePi, kPosePi);
+        camera.pitch = uniform(-kPosePi, kPosePi);
+        camera.roll = uniform(-kPosePi, kPosePi);
         camera.velocity = velocity(i);
         return camera;
     }
@@ -111,7 +111,7 @@ Direct aberrate_directly(Vec3 n_camera, Vec3 velocity) {
 }  // namespace
 
 TEST_CASE("the static axes are where spherical coordinates say") {
-    const Mat3 m = world_from_static(kPi / 2, 0.0);
+    const Mat3 m = world_from_static(kPosePi / 2, 0.0);
     CHECK(distance(m.a, {1, 0, 0}) < kRotationTolerance);   // e_r
     CHECK(distance(m.b, {0, 0, -1}) < kRotationTolerance);  // e_theta: south
     CHECK(distance(m.c, {0, 1, 0}) < kRotationTolerance);   // e_phi: east
@@ -119,7 +119,8 @@ TEST_CASE("the static axes are where spherical coordinates say") {
                    {std::sin(0.3) * std::cos(1.0), std::sin(0.3) * std::sin(1.0), std::cos(0.3)}) < kRotationTolerance);
     Sampler sampler;
     for (int i = 0; i < kPoses; ++i) {
-        CHECK(rotation_error(world_from_static(sampler.uniform(0, kPi), sampler.uniform(-9, 9))) < kRotationTolerance);
+        CHECK(rotation_error(world_from_static(sampler.uniform(0, kPosePi), sampler.uniform(-9, 9))) <
+              kRotationTolerance);
     }
     CHECK(rotation_error(world_from_static(0.0, 0.7)) < kRotationTolerance);  // on the axis too
 }
@@ -168,9 +169,9 @@ TEST_CASE("yaw turns right, then pitch up, then roll takes the top to the right"
     CHECK(distance(axes(0, 0, angle).b, c * up + s * right) < kRotationTolerance);
     CHECK(distance(axes(0, 0, angle).c, -forward) < kRotationTolerance);
     // After a quarter turn to the right, pitch lifts the new line of sight (formerly right) and roll turns about it.
-    CHECK(distance(-axes(kPi / 2, angle, 0).c, c * right + s * up) < kRotationTolerance);
-    CHECK(distance(axes(kPi / 2, 0, angle).b, c * up - s * forward) < kRotationTolerance);
-    CHECK(distance(axes(0, kPi / 2, angle).b, c * -forward + s * right) < kRotationTolerance);
+    CHECK(distance(-axes(kPosePi / 2, angle, 0).c, c * right + s * up) < kRotationTolerance);
+    CHECK(distance(axes(kPosePi / 2, 0, angle).b, c * up - s * forward) < kRotationTolerance);
+    CHECK(distance(axes(0, kPosePi / 2, angle).b, c * -forward + s * right) < kRotationTolerance);
     Sampler sampler;
     for (int i = 0; i < kPoses; ++i) CHECK(rotation_error(static_from_camera(sampler.pose(i))) < kRotationTolerance);
 }
@@ -198,7 +199,7 @@ TEST_CASE("the tetrad is orthonormal over random poses, rotations and boosts") {
 TEST_CASE("the tetrad of a camera at rest and of one that moves outward") {
     CameraSpec camera;
     camera.r = 2.0;  // A = 1/2
-    camera.theta = kPi / 6;
+    camera.theta = kPosePi / 6;
     const auto metric = spacetime("schwarzschild");
     Matrix4 e = *camera_tetrad(*metric, camera);
     CHECK(e[0][0] == doctest::Approx(std::sqrt(2.0)).epsilon(1e-15));

@@ -9,7 +9,7 @@ namespace {
 
 using namespace nullscope;
 
-constexpr double kRounding = 1e-14;
+constexpr double kProjectionRounding = 1e-14;
 
 CameraSpec camera_of(Projection projection, int width, int height, double fov) {
     CameraSpec camera;
@@ -51,21 +51,21 @@ Vec3 by_turns(Projection projection, double fov, double u, double v) {
                         std::atan(std::tan(half) * u));
 }
 
-struct Case {
+struct ProjectionCase {
     Projection projection;
     int width, height;
     double fov;
 };
-constexpr Case kCases[] = {{Projection::kPinhole, 300, 200, 1.2},
-                           {Projection::kFisheye, 200, 200, M_PI},
-                           {Projection::kFisheye, 300, 200, 2 * M_PI},
-                           {Projection::kEquirectangular, 400, 200, 2 * M_PI},
-                           {Projection::kEquirectangular, 300, 200, 1.5},
-                           {Projection::kCylindrical, 400, 300, 2 * M_PI},
-                           {Projection::kCube, 300, 200, 6.0}};
+constexpr ProjectionCase kCases[] = {{Projection::kPinhole, 300, 200, 1.2},
+                                     {Projection::kFisheye, 200, 200, M_PI},
+                                     {Projection::kFisheye, 300, 200, 2 * M_PI},
+                                     {Projection::kEquirectangular, 400, 200, 2 * M_PI},
+                                     {Projection::kEquirectangular, 300, 200, 1.5},
+                                     {Projection::kCylindrical, 400, 300, 2 * M_PI},
+                                     {Projection::kCube, 300, 200, 6.0}};
 
 TEST_CASE("projection: directions are those of turns about the camera's axes, and are found again") {
-    for (const Case& one : kCases)
+    for (const ProjectionCase& one : kCases)
         for (const double aspect : {1.0, 1.6}) {
             if (one.projection == Projection::kCube && aspect != 1.0) continue;
             CameraSpec camera = camera_of(one.projection, one.width, one.height, one.fov);
@@ -87,13 +87,13 @@ TEST_CASE("projection: directions are those of turns about the camera's axes, an
                     again = std::fmax(again, std::hypot((*place)[0] - x, (*place)[1] - y));
                 }
             CAPTURE(projection_name(one.projection));
-            CHECK(off < 10 * kRounding);
+            CHECK(off < 10 * kProjectionRounding);
             CHECK(again < 1e-9);
         }
 }
 
 TEST_CASE("projection: a pixel's solid angle is that of its corners, and all of the sky is 4 pi") {
-    for (const Case& one : kCases) {
+    for (const ProjectionCase& one : kCases) {
         const CameraSpec camera = camera_of(one.projection, one.width, one.height, one.fov);
         for (double y = 20.5; y < one.height; y += 37.0)
             for (double x = 20.5; x < one.width; x += 37.0) {
@@ -119,7 +119,7 @@ TEST_CASE("projection: a pixel's solid angle is that of its corners, and all of 
 }
 
 TEST_CASE("projection: a part of a picture shows the whole's directions, bit by bit") {
-    for (const Case& one : kCases) {
+    for (const ProjectionCase& one : kCases) {
         CameraSpec whole = camera_of(one.projection, one.width, one.height, one.fov);
         whole.shift_x = one.projection == Projection::kCube ? 0.0 : 0.25;
         CameraSpec part = whole;
@@ -146,7 +146,7 @@ TEST_CASE("projection: how far a picture reaches, and where it comes round") {
     CHECK(shown_px(dome) == doctest::Approx(200.0));
     CHECK(pixel_direction(dome, 400.0, 200.0).x == doctest::Approx(1.0));
     CHECK_FALSE(pixel_of(camera_of(Projection::kPinhole, 400, 200, 1.0), {0, 0, 1}));
-    for (const Case& one : kCases) {
+    for (const ProjectionCase& one : kCases) {
         CameraSpec camera = camera_of(one.projection, one.width, one.height, one.fov);
         CHECK(field_of_view(camera) == doctest::Approx(one.fov));
     }

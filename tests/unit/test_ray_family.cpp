@@ -12,15 +12,15 @@ namespace {
 
 using namespace nullscope;
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kRayFamilyDegree = M_PI / 180.0;
 
-struct World {
+struct RayFamilyWorld {
     std::shared_ptr<const SphericalMetric> spacetime;
     std::shared_ptr<const DeflectionTable> table;
     std::shared_ptr<reference::Metric> reference;
 };
-World world_of(const std::string& metric, const std::map<std::string, double>& parameters = {}) {
-    World world;
+RayFamilyWorld world_of(const std::string& metric, const std::map<std::string, double>& parameters = {}) {
+    RayFamilyWorld world;
     world.spacetime = test::spherical(metric, parameters);
     world.table = std::make_shared<const DeflectionTable>(*world.spacetime);
     auto orbits = reference::make_metric({metric, parameters});
@@ -28,26 +28,26 @@ World world_of(const std::string& metric, const std::map<std::string, double>& p
     world.reference = std::move(*orbits);
     return world;
 }
-RayFamily rain_fan(const World& world, double r) {
+RayFamily rain_fan(const RayFamilyWorld& world, double r) {
     return {world.spacetime, world.table, r, falling_frame(world.spacetime->lapse_squared(r), 1.0)};
 }
 
 TEST_CASE("ray family: the shadow of the rain observer") {
     // Half-angles about the inward direction (physics: Part B.2), r in r_s.
-    const World world = world_of("schwarzschild");
+    const RayFamilyWorld world = world_of("schwarzschild");
     for (const auto& [r, half_angle] : {std::pair{5.0, 17.3241986566},
                                         {1.5, 35.2643896828},
                                         {1.0, 42.1034488707},
                                         {0.5, 53.2702658035},
                                         {0.05, 77.3257155812}})
-        CHECK(std::fabs(std::acos(-rain_fan(world, r).critical_cosine()) / kDegree - half_angle) < 1e-10);
+        CHECK(std::fabs(std::acos(-rain_fan(world, r).critical_cosine()) / kRayFamilyDegree - half_angle) < 1e-10);
 }
 
 constexpr double kBesideRoot = 2e-7;  // rad; measured: 8e-8
 
 // Largest error of the swept angle against the reference, over rays 1e-6 ... 1 of the way from the critical direction to the radial one;
 // each over 1 + d phi/d ln(delta), about 1: what the last digit of the direction is worth.
-double worst_sweep(const World& world, double r) {
+double worst_sweep(const RayFamilyWorld& world, double r) {
     const RayFamily family = rain_fan(world, r);
     double worst = 0.0;
     for (const Segment segment : {Segment::kSky, Segment::kCaptured})
@@ -71,8 +71,8 @@ double worst_sweep(const World& world, double r) {
 
 TEST_CASE("ray family: swept angles of rain observers are the reference's, through the horizon") {
     constexpr double kSweep = 4e-9;  // rad; of a camera at rest 2e-9 (test_deflection_table.cpp); measured here 1.1e-9
-    for (const World& world : {world_of("schwarzschild"), world_of("reissner-nordstrom", {{"charge", 0.8}}),
-                               world_of("reissner-nordstrom", {{"charge", 1.0}})}) {
+    for (const RayFamilyWorld& world : {world_of("schwarzschild"), world_of("reissner-nordstrom", {{"charge", 0.8}}),
+                                        world_of("reissner-nordstrom", {{"charge", 1.0}})}) {
         const double horizon = *world.spacetime->horizon_radius(), low = world.spacetime->falling_range().low;
         for (const double r : {50.0, 5.0, 1.5, 1.2, horizon * (1 + 1e-9), horizon, horizon * (1 - 1e-9), 0.9 * horizon,
                                0.5 * (horizon + low) + 1e-3, low + 0.05 * (horizon - low), 0.1, 0.05, 0.01}) {
@@ -86,7 +86,7 @@ TEST_CASE("ray family: swept angles of rain observers are the reference's, throu
 
 TEST_CASE("ray family: nothing happens to rays as a camera falls through the horizon") {
     constexpr double kStep = 1e-7;
-    const World world = world_of("schwarzschild");
+    const RayFamilyWorld world = world_of("schwarzschild");
     double before[40] = {};
     for (int i = -3; i <= 3; ++i) {
         const RayFamily family = rain_fan(world, 1.0 - i * kStep);

@@ -21,14 +21,14 @@ CameraSpec camera_of(double yaw) {
     return camera;
 }
 
-Mat3 axes_of(const CameraSpec& camera) {
+Mat3 ray_motion_axes_of(const CameraSpec& camera) {
     return world_from_static(camera.theta, camera.phi) * static_from_camera(camera);
 }
 
 // The sky, and in front of it a disc of radius 40 px in the picture's middle, on a plane across the line of sight at distance 10.
 RayFrame rays_of(const CameraSpec& camera, double disc_at, double delay) {
     RayFrame frame{camera.width, camera.height, {}};
-    const Mat3 axes = axes_of(camera);
+    const Mat3 axes = ray_motion_axes_of(camera);
     for (int y = 0; y < camera.height; ++y)
         for (int x = 0; x < camera.width; ++x) {
             const Vec3 n = pixel_direction(camera, x + 0.5, y + 0.5);
@@ -60,7 +60,7 @@ TEST_CASE("ray motion: a camera that turns, and a disc that moves, by closed for
                 disc_off = std::max(disc_off, std::hypot(to_x - (*to)[0], to_y - (*to)[1]));
                 ++disc;
             } else {
-                const auto to = pixel_of(after, transposed(axes_of(after)) * now.pixels[i].sky);
+                const auto to = pixel_of(after, transposed(ray_motion_axes_of(after)) * now.pixels[i].sky);
                 sky_off = std::max(sky_off, std::hypot(to_x - (*to)[0], to_y - (*to)[1]));
                 ++sky;
             }
@@ -100,8 +100,8 @@ TEST_CASE("ST maps: with straight light a plate is the picture itself, a panoram
                 continue;
             }
             CHECK(p[2] == 1.0f);
-            off = std::max(
-                {off, std::abs(p[0] * camera.width - (x + 0.5)), std::abs((1 - p[1]) * camera.height - (y + 0.5))});
+            off = std::max({off, std::abs(p[0] * double(camera.width) - (x + 0.5)),
+                            std::abs((1 - p[1]) * double(camera.height) - (y + 0.5))});
             const double azimuth = (0.5 - s[0]) * 2 * M_PI, latitude = (s[1] - 0.5) * M_PI;
             const Vec3 back{std::cos(latitude) * std::cos(azimuth), std::cos(latitude) * std::sin(azimuth),
                             std::sin(latitude)};

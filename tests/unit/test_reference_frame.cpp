@@ -15,9 +15,9 @@ namespace {
 using namespace nullscope;
 
 // A few dozen roundings of numbers of order one.
-constexpr double kRounding = 1e-14;
+constexpr double kReferenceFrameRounding = 1e-14;
 // Colours are stored as float.
-constexpr double kFloat = 1e-6;
+constexpr double kReferenceFrameFloat = 1e-6;
 
 Scene small_scene() {
     Scene scene;
@@ -49,7 +49,8 @@ TEST_CASE("reference: frames are finite everywhere") {
                 for (const RayPixel& pixel : frame->pixels) {
                     finite = finite && all_finite(pixel);
                     const double norm = length(pixel.sky);
-                    units = units && (pixel.fate == Fate::kEscaped ? std::abs(norm - 1) < kRounding : norm == 0);
+                    units = units &&
+                            (pixel.fate == Fate::kEscaped ? std::abs(norm - 1) < kReferenceFrameRounding : norm == 0);
                     units = units && pixel.order == static_cast<int>(std::floor(pixel.angle / M_PI)) && pixel.g > 0;
                 }
                 CHECK(finite);
@@ -112,12 +113,12 @@ TEST_CASE("reference: pixels agree with single rays, also at 0.999999 c") {
                 // Rounding of the view direction, 2e-16, grows by gamma = 700 ahead or astern, and by the deflection
                 // near the hole.
                 const double gamma = 1 / std::sqrt((1 - speed) * (1 + speed)), steep = 1 + std::exp(record->angle);
-                CHECK(pixel.g == doctest::Approx(record->g * seen.doppler).epsilon(kRounding * gamma));
-                CHECK(std::abs(pixel.angle - record->angle) < kRounding * gamma * steep);
+                CHECK(pixel.g == doctest::Approx(record->g * seen.doppler).epsilon(kReferenceFrameRounding * gamma));
+                CHECK(std::abs(pixel.angle - record->angle) < kReferenceFrameRounding * gamma * steep);
                 if (pixel.fate != Fate::kEscaped) continue;
                 ++escaped;
-                CHECK(angle_between(pixel.sky, record->sky) < kRounding * gamma * steep);
-                CHECK(pixel.delay == doctest::Approx(record->delay).epsilon(kRounding * gamma * steep));
+                CHECK(angle_between(pixel.sky, record->sky) < kReferenceFrameRounding * gamma * steep);
+                CHECK(pixel.delay == doctest::Approx(record->delay).epsilon(kReferenceFrameRounding * gamma * steep));
             }
         }
         CHECK(escaped > 0);
@@ -158,7 +159,7 @@ TEST_CASE("reference: opaque and translucent disc hits") {
             CHECK(r >= DiscSpec{}.inner);
             CHECK(r <= DiscSpec{}.outer);
             // Position from a rounded view direction: 1e-13 covers the stretch of grazing and wound rays of this frame.
-            CHECK(r * record->at == doctest::Approx(1).epsilon(10 * kRounding * std::exp(solid.angle)));
+            CHECK(r * record->at == doctest::Approx(1).epsilon(10 * kReferenceFrameRounding * std::exp(solid.angle)));
             CHECK(thin.u == solid.u);
             CHECK(thin.v == solid.v);
         }
@@ -200,7 +201,7 @@ TEST_CASE("reference: colours composite front to back over all crossings") {
         most = std::max(most, static_cast<int>(std::round(hits)));
         CHECK((std::round(hits) > 0) == (rays->pixels[i].hit == 1));
         const double behind = rays->pixels[i].fate == Fate::kEscaped ? through : 0;
-        CHECK(std::abs(image->data[3 * i + 1] - (red + behind)) < kFloat);
+        CHECK(std::abs(image->data[3 * i + 1] - (red + behind)) < kReferenceFrameFloat);
     }
     CHECK(most >= 2);
 }
@@ -232,7 +233,7 @@ TEST_CASE("reference: the disc's image is mapped as DiscSpec says") {
             const double x = rotation == 0 ? p.u : p.v, y = rotation == 0 ? p.v : -p.u;  // turned back
             const Vec3 expected = y > 0 ? (x < 0 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}) : Vec3{0, 0, x < 0 ? 1.0 : 0.0};
             const float* pixel = image->data.data() + 3 * i;
-            CHECK(length(Vec3{pixel[0], pixel[1], pixel[2]} - expected) < kFloat);
+            CHECK(length(Vec3{pixel[0], pixel[1], pixel[2]} - expected) < kReferenceFrameFloat);
             ++checked;
         }
         CHECK(checked > 50);

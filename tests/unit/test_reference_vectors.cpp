@@ -17,7 +17,7 @@ using namespace nullscope;
 
 // Allowed relative error in units of the condition number. Double arithmetic leaves about 1e-15 after a chain of ten
 // elliptic operations; 1e-11 is what the project promises for its witness.
-constexpr double kTolerance = 1e-11;
+constexpr double kReferenceVectorsTolerance = 1e-11;
 // What is reached (1.6e-15 over these rows and 3000 others), with a margin of 6 for other compilers and mathematical
 // libraries.
 constexpr double kReached = 1e-14;
@@ -54,7 +54,7 @@ void check(const VectorRow& row, const std::string& column, const VectorOutput& 
     const double error = std::abs(found - expected) / (std::abs(expected) * kappa);
     // The inputs are exact doubles: unless a given swept angle is subtracted from the whole, nothing may be lost.
     if (!at) CHECK(error * kappa <= kReachedExactly);
-    static_assert(kReached < kTolerance);
+    static_assert(kReached < kReferenceVectorsTolerance);
     CHECK(error <= kReached);
     if (std::getenv("NULLSCOPE_PRINT_ERRORS")) {
         std::printf("%s %s %s %.3g %.3g\n", row.at("group").c_str(), column.c_str(), row.at("id").c_str(), error,

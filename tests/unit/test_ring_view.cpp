@@ -38,7 +38,7 @@ Result<RingView> view_of(const std::string& metric, const CameraSpec& camera,
     return ring_view(**make_spacetime(metric, parameters), camera, {});
 }
 
-struct World {
+struct RingViewWorld {
     std::string metric;
     MetricParameters parameters;
 };
@@ -49,22 +49,22 @@ MetricParameters lapse(const char* formula) {
     return parameters;
 }
 
-const World kWorlds[] = {{"schwarzschild", {}},
-                         {"reissner-nordstrom", {{"charge", 0.9}}},
-                         {"reissner-nordstrom", {{"charge", 1.0}}},
-                         {"reissner-nordstrom", {{"charge", 1.03}}},
-                         {"janis-newman-winicour", {}},
-                         {"neutron-star", {}},
-                         {"ellis", {}},
-                         {"dneg-wormhole", {{"length", 0.0}}},
-                         {"formula", lapse("1 - r^2/(r^2 + 0.35^2)^(3/2)")},
-                         {"formula", lapse("1 - 1/r - 0.0002*r^2/3")}};
+const RingViewWorld kWorlds[] = {{"schwarzschild", {}},
+                                 {"reissner-nordstrom", {{"charge", 0.9}}},
+                                 {"reissner-nordstrom", {{"charge", 1.0}}},
+                                 {"reissner-nordstrom", {{"charge", 1.03}}},
+                                 {"janis-newman-winicour", {}},
+                                 {"neutron-star", {}},
+                                 {"ellis", {}},
+                                 {"dneg-wormhole", {{"length", 0.0}}},
+                                 {"formula", lapse("1 - r^2/(r^2 + 0.35^2)^(3/2)")},
+                                 {"formula", lapse("1 - 1/r - 0.0002*r^2/3")}};
 
 }  // namespace
 
 TEST_CASE("ring view: a view that is a turn less deep shows the same, about every metric") {
     int views = 0;
-    for (const World& world : kWorlds) {
+    for (const RingViewWorld& world : kWorlds) {
         CAPTURE(world.metric);
         const auto made = make_spacetime(world.metric, world.parameters);
         if (!made) continue;

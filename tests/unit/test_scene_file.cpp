@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kRounding = 1e-15;     // degrees to radians and back: a unit in the last place
-constexpr double kShownDefault = 1e-4;  // relative: the key table shows defaults to five digits
+constexpr double kSceneFileDegree = std::numbers::pi / 180.0;
+constexpr double kSceneFileRounding = 1e-15;  // degrees to radians and back: a unit in the last place
+constexpr double kShownDefault = 1e-4;        // relative: the key table shows defaults to five digits
 
 // A folder with image files (empty: they are not opened) that is gone at the end.
 class Folder {
@@ -115,13 +115,13 @@ TEST_CASE("every key arrives in its field and its unit") {
     CHECK(s.description == "Every key.");
     CHECK(s.spacetime.metric == "schwarzschild");
     CHECK(s.camera.r == 20.0);
-    CHECK(s.camera.theta == doctest::Approx(81.5 * kDegree).epsilon(kRounding));
-    CHECK(s.camera.phi == doctest::Approx(-30 * kDegree).epsilon(kRounding));
-    CHECK(s.camera.yaw == doctest::Approx(10 * kDegree).epsilon(kRounding));
-    CHECK(s.camera.pitch == doctest::Approx(-20.5 * kDegree).epsilon(kRounding));
-    CHECK(s.camera.roll == doctest::Approx(5 * kDegree).epsilon(kRounding));
+    CHECK(s.camera.theta == doctest::Approx(81.5 * kSceneFileDegree).epsilon(kSceneFileRounding));
+    CHECK(s.camera.phi == doctest::Approx(-30 * kSceneFileDegree).epsilon(kSceneFileRounding));
+    CHECK(s.camera.yaw == doctest::Approx(10 * kSceneFileDegree).epsilon(kSceneFileRounding));
+    CHECK(s.camera.pitch == doctest::Approx(-20.5 * kSceneFileDegree).epsilon(kSceneFileRounding));
+    CHECK(s.camera.roll == doctest::Approx(5 * kSceneFileDegree).epsilon(kSceneFileRounding));
     CHECK(length(s.camera.velocity - Vec3{0.1, 0, -0.2}) == 0.0);
-    CHECK(s.camera.plane_width == doctest::Approx(2.0).epsilon(kRounding));
+    CHECK(s.camera.plane_width == doctest::Approx(2.0).epsilon(kSceneFileRounding));
     CHECK(s.camera.focal_distance == 1.0);
     CHECK(s.camera.width == 640);
     CHECK(s.camera.height == 480);
@@ -131,9 +131,9 @@ TEST_CASE("every key arrives in its field and its unit") {
     CHECK(s.sky.image == folder.path() / "a.png");
     CHECK(s.sky.north_cap == folder.path() / "n.png");
     CHECK(fs::equivalent(s.sky.south_cap, folder.path() / "s.png"));
-    CHECK(s.sky.band_latitude == doctest::Approx(40 * kDegree).epsilon(kRounding));
-    CHECK(s.sky.yaw == doctest::Approx(90 * kDegree).epsilon(kRounding));
-    CHECK(s.sky.tilt == doctest::Approx(60 * kDegree).epsilon(kRounding));
+    CHECK(s.sky.band_latitude == doctest::Approx(40 * kSceneFileDegree).epsilon(kSceneFileRounding));
+    CHECK(s.sky.yaw == doctest::Approx(90 * kSceneFileDegree).epsilon(kSceneFileRounding));
+    CHECK(s.sky.tilt == doctest::Approx(60 * kSceneFileDegree).epsilon(kSceneFileRounding));
     CHECK(s.sky.brightness == 2.0);
     REQUIRE(s.disc);
     CHECK(s.disc->inner == 4.0);
@@ -141,7 +141,7 @@ TEST_CASE("every key arrives in its field and its unit") {
     CHECK(s.disc->image == folder.path() / "sub/b.png");
     CHECK(s.disc->opacity == 0.5);
     CHECK(s.disc->edge == 0.25);
-    CHECK(s.disc->rotation == doctest::Approx(45 * kDegree).epsilon(kRounding));
+    CHECK(s.disc->rotation == doctest::Approx(45 * kSceneFileDegree).epsilon(kSceneFileRounding));
     CHECK(s.disc->brightness == 3.0);
     const Result<Scene> plane = parse("[camera]\nplane_width = 3\nfocal_distance = 2.5");
     REQUIRE(plane);
@@ -162,7 +162,7 @@ TEST_CASE("the defaults that the key table shows are those of an empty scene") {
             changed.camera.zoom.emplace();
         for (const BodyKind* kind : body_kinds()) changed.bodies.push_back(kind->make());
         KeyValue value;
-        value.number = *parse_number(key.fallback) * (key.unit == "deg" ? kDegree : 1.0);
+        value.number = *parse_number(key.fallback) * (key.unit == "deg" ? kSceneFileDegree : 1.0);
         CHECK(key.range.contains(*parse_number(key.fallback)));
         key.member.set(changed, value);
         const auto fields = [](const Scene& s) {

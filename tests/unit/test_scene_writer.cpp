@@ -15,7 +15,7 @@ using namespace nullscope;
 
 namespace {
 
-std::string canonical(const Scene& scene) {
+std::string scene_writer_canonical(const Scene& scene) {
     std::string text;
     for (const SceneLine& line : scene_lines(scene)) text += fmt::format("{} = {}\n", line.name, line.value);
     return text;
@@ -72,12 +72,12 @@ TEST_CASE("scene writer: random scenes are the same when they are read again") {
         const std::string second = scene_file_text(*again, info.path.parent_path());
         const auto third = parse_scene(second, "again.toml", info.path.parent_path());
         REQUIRE(third);
-        CHECK(canonical(*again) == canonical(*third));
+        CHECK(scene_writer_canonical(*again) == scene_writer_canonical(*third));
         const std::string line = scene_line(*again);
         CHECK(line.find('\n') == std::string::npos);
         const auto of_line = scene_of_line(line);
         REQUIRE_MESSAGE(of_line, of_line.error().message());
-        CHECK(canonical(*of_line) == canonical(*third));
+        CHECK(scene_writer_canonical(*of_line) == scene_writer_canonical(*third));
     }
     CHECK(read == kScenes);
 }

@@ -23,18 +23,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180.0;
-constexpr double kRounding = 1e-14;    // a division and a subtraction of numbers of order 1
-constexpr double kFluxError = 1e-5;    // texels are sums of single-precision numbers
+constexpr double kSkyPi = std::numbers::pi;
+constexpr double kSkyDegree = kSkyPi / 180.0;
+constexpr double kSkyRounding = 1e-14;  // a division and a subtraction of numbers of order 1
+constexpr double kFluxError = 1e-5;     // texels are sums of single-precision numbers
 constexpr float kStripeError = 0.1f;   // what a pattern of period two pixels, the worst, leaves of its amplitude of 0.5
 constexpr double kPixelError = 0.006;  // of an image of 8 bits: half a code near white is 0.0045 in linear light
 constexpr int kSize = 256;             // of faces: quick, and one texel is 0.35 degrees
 
-const fs::path kAssets = test::source_folder() / "assets";
+const fs::path kSkyAssets = test::source_folder() / "assets";
 
-Vec3 direction(double ra_degrees, double dec_degrees) {
-    const double ra = ra_degrees * kDegree, dec = dec_degrees * kDegree;
+Vec3 sky_direction(double ra_degrees, double dec_degrees) {
+    const double ra = ra_degrees * kSkyDegree, dec = dec_degrees * kSkyDegree;
     return {std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec)};
 }
 
@@ -87,7 +87,7 @@ double brightest_near(const SkyCube& sky, Vec3 centre, double radius_degrees) {
         for (int y = 0; y < sky.size; ++y)
             for (int x = 0; x < sky.size; ++x) {
                 const Vec3 d = cube_direction(face, (x + 0.5) / sky.size, (y + 0.5) / sky.size);
-                if (angle_between(d, centre) > radius_degrees * kDegree) continue;
+                if (angle_between(d, centre) > radius_degrees * kSkyDegree) continue;
                 const float* c = sky.faces[static_cast<std::size_t>(face)].at(x, y);
                 best = std::max(best, luminance({c[0], c[1], c[2]}));
             }
@@ -129,10 +129,10 @@ TEST_CASE("stars: a catalogue that was not fetched is refused with how to fetch 
     const auto refused = load_stars(StarCatalogue::kTycho2, folder.path);
     REQUIRE_FALSE(refused);
     CHECK(refused.error().message().find("scripts/fetch_stars.py") != std::string::npos);
-    std::filesystem::copy_file(kAssets / "sky" / "stars.bin", folder.path / "sky" / "stars-tycho-2.bin");
+    std::filesystem::copy_file(kSkyAssets / "sky" / "stars.bin", folder.path / "sky" / "stars-tycho-2.bin");
     const auto read = load_stars(StarCatalogue::kTycho2, folder.path);
     REQUIRE(read);
-    CHECK(read->size() == load_stars(StarCatalogue::kHipparcos, kAssets)->size());
+    CHECK(read->size() == load_stars(StarCatalogue::kHipparcos, kSkyAssets)->size());
 }
 
 TEST_CASE("cube_direction and cube_position agree with OpenGL 3.3 table 3.19") {
@@ -148,11 +148,11 @@ TEST_CASE("cube_direction and cube_position agree with OpenGL 3.3 table 3.19") {
         for (const double u : {0.001, 0.25, 0.5, 0.875, 0.999})
             for (const double v : {0.001, 0.125, 0.5, 0.75, 0.999}) {
                 const Vec3 d = row.centre + (2 * u - 1) * row.to_right + (2 * v - 1) * row.down;
-                CHECK(length(cube_direction(row.face, u, v) - d) < kRounding);
+                CHECK(length(cube_direction(row.face, u, v) - d) < kSkyRounding);
                 const CubePosition p = cube_position(3.7 * d);
                 CHECK(p.face == row.face);
-                CHECK(std::fabs(p.u - u) < kRounding);
-                CHECK(std::fabs(p.v - v) < kRounding);
+                CHECK(std::fabs(p.u - u) < kSkyRounding);
+                CHECK(std::fabs(p.v - v) < kSkyRounding);
             }
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("a star's flux does not depend on where it lies, nor on the size of th
     for (const double magnitude : {6.0, 1.0}) {  // without and with a halo
         const double reference = core_sigma(kReferenceFace);
         const double expected =
-            kPeakOfMagnitude5 * 2.0 * kPi * reference * reference * std::pow(10.0, -0.4 * (magnitude - 5.0));
+            kPeakOfMagnitude5 * 2.0 * kSkyPi * reference * reference * std::pow(10.0, -0.4 * (magnitude - 5.0));
         for (const int size : {64, kSize, 512, 1024}) {
             test::Selection selection(size > kSize ? 4 : 1);
             for (const Vec3& place : places) {
@@ -224,18 +224,18 @@ TEST_CASE("star colours: blue, white, red, of luminance 1") {
 }
 
 TEST_CASE("the catalogue holds Hipparcos, brightest first") {
-    const auto stars = load_stars(kAssets / "sky" / "stars.bin");
+    const auto stars = load_stars(kSkyAssets / "sky" / "stars.bin");
     REQUIRE(stars);
     REQUIRE(stars->size() == 118216);
     CHECK((*stars)[0].magnitude == doctest::Approx(-1.44));
-    CHECK(angle_between((*stars)[0].direction, direction(101.287, -16.716)) < 0.01 * kDegree);  // Sirius
+    CHECK(angle_between((*stars)[0].direction, sky_direction(101.287, -16.716)) < 0.01 * kSkyDegree);  // Sirius
     CHECK(std::fabs(b_minus_v(static_cast<int>((*stars)[0].colour_code)) - 0.009) < 0.006);
     for (std::size_t i = 1; i < stars->size(); ++i) REQUIRE((*stars)[i - 1].magnitude <= (*stars)[i].magnitude);
 }
 
 TEST_CASE("damaged catalogues are errors") {
     const TemporaryFolder folder("stars");
-    const std::string good = read_text(kAssets / "sky" / "stars.bin")->substr(0, 16 + 80);
+    const std::string good = read_text(kSkyAssets / "sky" / "stars.bin")->substr(0, 16 + 80);
     const auto refused = [&](const std::string& bytes) {
         REQUIRE(write_text_atomically(folder.path / "stars.bin", bytes));
         return !load_stars(folder.path / "stars.bin");
@@ -255,11 +255,11 @@ TEST_CASE("damaged catalogues are errors") {
 
 TEST_CASE("the star sky is not mirrored and turns with yaw and tilt") {
     SkySpec spec;
-    const auto sky = build_sky(spec, kAssets, kSize);
+    const auto sky = build_sky(spec, kSkyAssets, kSize);
     REQUIRE(sky);
-    const Vec3 betelgeuse = direction(88.793, 7.407), rigel = direction(78.634, -8.202);
-    const Vec3 sirius = direction(101.287, -16.716), acrux = direction(186.650, -63.099);
-    const double faint = luminance(sample_sky(*sky, direction(20.0, -5.0)));
+    const Vec3 betelgeuse = sky_direction(88.793, 7.407), rigel = sky_direction(78.634, -8.202);
+    const Vec3 sirius = sky_direction(101.287, -16.716), acrux = sky_direction(186.650, -63.099);
+    const double faint = luminance(sample_sky(*sky, sky_direction(20.0, -5.0)));
     for (const Vec3& star : {betelgeuse, rigel, sirius, acrux}) {
         CHECK(brightest_near(*sky, star, 0.3) > 20.0 * faint);
         CHECK(brightest_near(*sky, star, 0.3) > 2.0 * brightest_near(*sky, {star.x, -star.y, star.z}, 0.3));
@@ -269,13 +269,13 @@ TEST_CASE("the star sky is not mirrored and turns with yaw and tilt") {
     CHECK(red.x > 1.5 * red.z);
     CHECK(blue.z > blue.x);
     // Looking at the belt with north up, right is west: Betelgeuse upper left, Rigel lower right.
-    const Vec3 belt = direction(84.05, -1.2), west = cross(belt, {0, 0, 1});
+    const Vec3 belt = sky_direction(84.05, -1.2), west = cross(belt, {0, 0, 1});
     CHECK(dot(betelgeuse - rigel, west) < 0.0);
     CHECK(betelgeuse.z > rigel.z);
 
-    spec.yaw = 40.0 * kDegree;
-    spec.tilt = -25.0 * kDegree;
-    const auto turned = build_sky(spec, kAssets, kSize);
+    spec.yaw = 40.0 * kSkyDegree;
+    spec.tilt = -25.0 * kSkyDegree;
+    const auto turned = build_sky(spec, kSkyAssets, kSize);
     REQUIRE(turned);
     const double ct = std::cos(spec.tilt), st = std::sin(spec.tilt), cy = std::cos(spec.yaw), sy = std::sin(spec.yaw);
     const Vec3 tilted{sirius.x, ct * sirius.y - st * sirius.z, st * sirius.y + ct * sirius.z};
@@ -287,7 +287,7 @@ TEST_CASE("the star sky is not mirrored and turns with yaw and tilt") {
 
 TEST_CASE("the Milky Way is bright towards the galactic centre, dark at the poles and has no seams") {
     constexpr int kFine = 1024;  // texels of half a pixel of the map
-    const auto haze = MilkyWay::load(kAssets / "sky" / "milky-way.jpg", Mat3{}, 1.0, kFine, 0);
+    const auto haze = MilkyWay::load(kSkyAssets / "sky" / "milky-way.jpg", Mat3{}, 1.0, kFine, 0);
     REQUIRE(haze);
     const SkyCube sky = faces_of(kFine, [&](SkyRows& rows) { haze->paint(rows); });
     double peak = 0.0;
@@ -298,10 +298,10 @@ TEST_CASE("the Milky Way is bright towards the galactic centre, dark at the pole
                 peak = std::max(peak, luminance({c[0], c[1], c[2]}));
             }
     CHECK(peak > 0.8 * kMapWhite_S10 * radiance_of_s10());
-    const double centre = luminance(sample_sky(sky, direction(271.5, -29.5)));  // the Large Sagittarius star cloud
+    const double centre = luminance(sample_sky(sky, sky_direction(271.5, -29.5)));  // the Large Sagittarius star cloud
     CHECK(centre > 0.5 * peak);
     for (const double side : {1.0, -1.0})
-        CHECK(luminance(sample_sky(sky, side * direction(192.86, 27.13))) < 0.04 * centre);
+        CHECK(luminance(sample_sky(sky, side * sky_direction(192.86, 27.13))) < 0.04 * centre);
     const double step = 0.5 / kFine;  // half a texel either side of the edge between two faces
     for (double t = -0.99; t < 1.0; t += 0.02)
         for (const auto& [a, b] : {std::pair{Vec3{1, 1 - step, t}, Vec3{1 - step, 1, t}},
@@ -320,7 +320,7 @@ TEST_CASE("equirectangular images: every direction gets its colour, also rotated
     const Mat3 rotation = Mat3{{cy, sy, 0}, {-sy, cy, 0}, {0, 0, 1}} * Mat3{{1, 0, 0}, {0, ct, st}, {0, -st, ct}};
     for (const int width : {512, 2048}) {
         save_image(spec.image, width, width / 2, [](double u, double v) {
-            const double phi = (0.5 - u) * 2.0 * kPi, theta = v * kPi;  // middle: 0, growing to the left
+            const double phi = (0.5 - u) * 2.0 * kSkyPi, theta = v * kSkyPi;  // middle: 0, growing to the left
             return colour_of({std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
         });
         const auto sky = build_sky(spec, {}, 128);
@@ -358,11 +358,11 @@ TEST_CASE("band and caps join into one sphere") {
     const auto at = [](double phi, double beta) {
         return colour_of({std::cos(beta) * std::cos(phi), std::cos(beta) * std::sin(phi), std::sin(beta)});
     };
-    save_image(spec.image, 512, 128, [&](double u, double v) { return at((0.5 - u) * 2 * kPi, 0.6 * (1 - 2 * v)); });
+    save_image(spec.image, 512, 128, [&](double u, double v) { return at((0.5 - u) * 2 * kSkyPi, 0.6 * (1 - 2 * v)); });
     for (const double side : {1.0, -1.0})  // left is azimuth pi/2; azimuth 0 is below in the north, above in the south
         save_image(side > 0 ? spec.north_cap : spec.south_cap, 256, 256, [&](double u, double v) {
             const double x = 2 * u - 1, y = 2 * v - 1;
-            return at(std::atan2(-x, side * y), side * (kPi / 2 - std::hypot(x, y) * (kPi / 2 - 0.6)));
+            return at(std::atan2(-x, side * y), side * (kSkyPi / 2 - std::hypot(x, y) * (kSkyPi / 2 - 0.6)));
         });
     const auto sky = build_sky(spec, {}, 128);
     REQUIRE(sky);
@@ -381,14 +381,14 @@ TEST_CASE("build_sky: black is black, bad sizes and images are errors, threads d
     CHECK(total_flux(*night) == 0.0);
     for (const int size : {-16, 0, 8, 100, 16384}) CHECK_FALSE(build_sky(spec, {}, size));
     spec.kind = SkyKind::kImage;
-    spec.image = kAssets / "sky" / "stars.bin";
+    spec.image = kSkyAssets / "sky" / "stars.bin";
     const auto wrong = build_sky(spec, {}, 16);
     REQUIRE_FALSE(wrong);
     CHECK(wrong.error().kind == ErrorKind::kBadInput);
 
-    const auto many = build_sky({}, kAssets, 128);
+    const auto many = build_sky({}, kSkyAssets, 128);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    const auto single = build_sky({}, kAssets, 128);
+    const auto single = build_sky({}, kSkyAssets, 128);
     REQUIRE(many);
     REQUIRE(single);
     for (std::size_t face = 0; face < 6; ++face) CHECK(many->faces[face].data == single->faces[face].data);

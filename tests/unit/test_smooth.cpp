@@ -9,7 +9,7 @@ namespace {
 
 using namespace nullscope::expr;
 
-constexpr double kRounding = 4e-15;  // some roundings of terms about 1
+constexpr double kSmoothRounding = 4e-15;  // some roundings of terms about 1
 
 SmoothFormula smooth(const std::string& text) {
     const auto formula = SmoothFormula::parse(text, "r");
@@ -23,7 +23,7 @@ Jet far(const std::string& text) { return smooth(text).value<double>(Jet(1.0) / 
 // Of the powers from `from` on.
 bool same(const Jet& series, int from, const std::vector<double>& wanted) {
     for (std::size_t i = 0; i < wanted.size(); ++i)
-        if (!(std::fabs(series.of_power(from + static_cast<int>(i)) - wanted[i]) < kRounding)) return false;
+        if (!(std::fabs(series.of_power(from + static_cast<int>(i)) - wanted[i]) < kSmoothRounding)) return false;
     return true;
 }
 

@@ -23,7 +23,7 @@ using test::kerr;
 
 constexpr double kConserved = 1e-10;  // what is promised of E, L, K and u . u
 
-CameraSpec camera_at(double r, double theta, ObserverKind observer, Vec3 velocity = {}) {
+CameraSpec spin_worldline_camera_at(double r, double theta, ObserverKind observer, Vec3 velocity = {}) {
     CameraSpec camera;
     camera.r = r, camera.theta = theta, camera.phi = 0.4, camera.observer = observer, camera.velocity = velocity;
     camera.yaw = 0.3, camera.pitch = -0.2, camera.roll = 0.1;
@@ -45,10 +45,11 @@ double worst_change(const SpinWorldline& line, bool planted = false) {
 
 TEST_CASE("spin worldline: energy, angular momentum, Carter's constant and unit velocity stay, through the horizon") {
     for (const double spin : {0.1, 0.9, 0.998})
-        for (const CameraSpec& start :
-             {camera_at(3, 1.2, ObserverKind::kZamo, {-0.1, 0.2, 0.3}),
-              camera_at(5, 0.3, ObserverKind::kStatic, {-0.3, 0.05, 0}), camera_at(4, 1.1, ObserverKind::kOrbit),
-              camera_at(6, 0, ObserverKind::kRain), camera_at(0.9, 1.4, ObserverKind::kThrow, {0.2, -0.4, 0.1})}) {
+        for (const CameraSpec& start : {spin_worldline_camera_at(3, 1.2, ObserverKind::kZamo, {-0.1, 0.2, 0.3}),
+                                        spin_worldline_camera_at(5, 0.3, ObserverKind::kStatic, {-0.3, 0.05, 0}),
+                                        spin_worldline_camera_at(4, 1.1, ObserverKind::kOrbit),
+                                        spin_worldline_camera_at(6, 0, ObserverKind::kRain),
+                                        spin_worldline_camera_at(0.9, 1.4, ObserverKind::kThrow, {0.2, -0.4, 0.1})}) {
             const auto line = SpinWorldline::make(kerr(spin), start, 200);
             REQUIRE(line);
             const double worst = worst_change(*line);
@@ -61,12 +62,12 @@ TEST_CASE("spin worldline: energy, angular momentum, Carter's constant and unit 
 
 TEST_CASE("spin worldline: what falls keeps its observer: rain stays rain, a circle a circle") {
     const auto hole = kerr(0.9);
-    const auto rain = SpinWorldline::make(hole, camera_at(4, 1.1, ObserverKind::kRain), 100);
+    const auto rain = SpinWorldline::make(hole, spin_worldline_camera_at(4, 1.1, ObserverKind::kRain), 100);
     REQUIRE(rain);
     CHECK(rain->reaches_inner_horizon());
     for (int i = 0; i <= 20; ++i) CHECK(length(rain->at(rain->last() * i / 20).velocity) < 1e-10);
     const double r = 3;
-    const auto orbit = SpinWorldline::make(hole, camera_at(r, M_PI / 2, ObserverKind::kOrbit), 60);
+    const auto orbit = SpinWorldline::make(hole, spin_worldline_camera_at(r, M_PI / 2, ObserverKind::kOrbit), 60);
     REQUIRE(orbit);
     const CircularOrbit circle = *circular_orbit(*hole, r);
     CHECK(std::fabs(orbit->at(60).r - r) < 1e-9);
@@ -81,7 +82,8 @@ TEST_CASE(
     for (const double spin : {0.9, 0.998})
         for (const double theta : {M_PI / 2, 1.2, 0.6}) {
             const auto hole = kerr(spin);
-            const auto line = SpinWorldline::make(hole, camera_at(kFrom, theta, ObserverKind::kZamo), 200);
+            const auto line =
+                SpinWorldline::make(hole, spin_worldline_camera_at(kFrom, theta, ObserverKind::kZamo), 200);
             REQUIRE(line);
             const double a = spin / 2, energy = line->energy();
             CHECK(std::fabs(energy - std::sqrt(zamo_lapse2(spin_place(*hole, kFrom, theta)))) < kConserved);
@@ -112,7 +114,7 @@ TEST_CASE(
 }
 
 TEST_CASE("spin worldline: a camera without spin is the plane orbit's, axes and all") {
-    const CameraSpec start = camera_at(4, 1.1, ObserverKind::kStatic, {-0.2, 0.15, 0.25});
+    const CameraSpec start = spin_worldline_camera_at(4, 1.1, ObserverKind::kStatic, {-0.2, 0.15, 0.25});
     const auto spun = SpinWorldline::make(kerr(1e-9), start, 12);
     const auto plane = Worldline::make(*make_spacetime("kerr", {{"spin", 0.0}}), start, 12);
     REQUIRE(spun);

@@ -16,25 +16,27 @@ namespace {
 
 using namespace nullscope;
 
-struct World {
+struct ThroatOrbitWorld {
     std::shared_ptr<const SphericalMetric> spacetime;
     std::shared_ptr<const DeflectionTable> table;
     std::shared_ptr<reference::Metric> reference;
 };
-World world_of(const std::string& metric, const std::map<std::string, double>& parameters) {
-    World world;
+ThroatOrbitWorld world_of(const std::string& metric, const std::map<std::string, double>& parameters) {
+    ThroatOrbitWorld world;
     world.spacetime = test::spherical(metric, parameters);
     world.table = std::make_shared<const DeflectionTable>(*world.spacetime);
     world.reference = std::move(*reference::make_metric({metric, parameters}));
     return world;
 }
-std::vector<World> worlds() {
-    std::vector<World> all{world_of("ellis", {}), world_of("ellis", {{"throat", 3.0}})};
+std::vector<ThroatOrbitWorld> worlds() {
+    std::vector<ThroatOrbitWorld> all{world_of("ellis", {}), world_of("ellis", {{"throat", 3.0}})};
     for (const auto& [length, width] : {std::pair{0.01, 0.05}, {0.0, 0.02}, {0.5, 0.3}, {0.5, 2.0}})
         all.push_back(world_of("dneg-wormhole", {{"throat", 1.0}, {"length", length}, {"lensing_width", width}}));
     return all;
 }
-RayFamily fan_at(const World& world, double r) { return {world.spacetime, world.table, r, frame_at_rest(1.0)}; }
+RayFamily fan_at(const ThroatOrbitWorld& world, double r) {
+    return {world.spacetime, world.table, r, frame_at_rest(1.0)};
+}
 
 constexpr double kNearest = 1e-4;    // rad from the critical ray: a tenth of a pixel of 60 degrees on 1080 rows
 constexpr double kMostSwept = 30.0;  // rad; rays that wind more often in a tube lie in a line thinner than that
@@ -42,7 +44,7 @@ constexpr double kThroatRadii[] = {20.0, 3.0, 0.4, 0.0, -0.003, -2.0, -50.0};
 
 // Largest difference of l on the rows, over the distance from the throat (1 at least) and over how far l moves with the last digits of the
 // view direction and of the swept angle: 1 for both together.
-double worst_place(const World& world, double r) {
+double worst_place(const ThroatOrbitWorld& world, double r) {
     const RayFamily family = fan_at(world, r);
     const ThroatShape shape(*world.spacetime);
     double worst = 0.0;
@@ -68,7 +70,7 @@ double worst_place(const World& world, double r) {
 TEST_CASE("orbit table through a throat: l is the reference's on every row") {
     constexpr double kPlace = 1e-6;  // measured 3.5e-7; Ellis' 1e-9
     test::Selection selection(3);
-    for (const World& world : worlds())
+    for (const ThroatOrbitWorld& world : worlds())
         for (const double r : kThroatRadii) {
             if (!selection.takes_next()) continue;
             const double worst = worst_place(world, r * world.spacetime->length_unit());

@@ -20,11 +20,11 @@ using namespace nullscope;
 namespace {
 
 constexpr const char* kHead = "title = \"A\"\ndescription = \"B.\"\n";  // two lines
-constexpr const char* kStep = "[[step]]\nscene = \"kerr\"\ntext = \"C.\"\n";
+constexpr const char* kTourFileStep = "[[step]]\nscene = \"kerr\"\ntext = \"C.\"\n";
 
 Result<Tour> parse(const std::string& text) { return parse_tour(text, "dir/tour.toml", "/nowhere"); }
 
-struct Broken {
+struct TourFileBroken {
     std::string text;
     int line;
     std::string key;
@@ -34,22 +34,22 @@ struct Broken {
 std::string step(const std::string& lines) { return kHead + ("[[step]]\n" + lines) + "\n"; }  // its lines begin at 4
 std::string good_step(const std::string& line) { return step("scene = \"kerr\"\ntext = \"C.\"\n" + line); }  // at 6
 
-const Broken kBroken[] = {
+const TourFileBroken kTourFileBroken[] = {
     {"", 1, "title", "missing"},
     {"[[step]\n", 1, "", ""},
     {"title = \"\xFF\"\n", 1, "", ""},
     {std::string(kLargestSceneFile + 1, ' '), 0, "", "larger than"},
     {"a" + std::string(5000, '.') + "a = 1", 1, "", "dots"},
     {"title = 5\n", 1, "title", "must be a string"},
-    {std::string("title = \"A\"\ndescription = \" \"\n") + kStep, 2, "description", "is empty"},
+    {std::string("title = \"A\"\ndescription = \" \"\n") + kTourFileStep, 2, "description", "is empty"},
     {kHead, 1, "step", "missing; allowed: 1 to 100 sections [[step]]"},
     {std::string(kHead) + "step = []", 3, "step", "must be a list of sections"},
     {std::string(kHead) + "step = 5", 3, "step", "must be a list of sections"},
     {std::string(kHead) + "[step]", 3, "step", "must be a list of sections"},
     {std::string(kHead) + "step = [5]", 3, "step", "must be a list of sections"},
-    {std::string(kHead) + "speed = 5\n" + kStep, 3, "speed", "unknown key; allowed: title, description, step"},
+    {std::string(kHead) + "speed = 5\n" + kTourFileStep, 3, "speed", "unknown key; allowed: title, description, step"},
     {"titel = \"A\"\n", 1, "titel", "nearest known key: title"},
-    {std::string(kHead) + "\"\\u001b[2J\" = 1\n" + kStep, 3, "?[2J", "unknown key"},
+    {std::string(kHead) + "\"\\u001b[2J\" = 1\n" + kTourFileStep, 3, "?[2J", "unknown key"},
     {step("text = \"C.\""), 3, "step[1].scene", "missing"},
     {step("scene = \"kerr\""), 3, "step[1].text", "missing"},
     {step("scene = 5\ntext = \"C.\""), 4, "step[1].scene", "must be a string"},
@@ -70,13 +70,13 @@ const Broken kBroken[] = {
     {good_step("off = [5]"), 6, "step[1].off", "not a string"},
     {good_step("off = [\"lensing\"]"), 6, "step[1].off", "allowed: spin"},
     {good_step("off = [\"no\\u001bword\"]"), 6, "step[1].off", "no?word"},
-    {std::string(kHead) + kStep + "[[step]]\nscene = \"kerr\"\n", 6, "step[2].text", "missing"},
+    {std::string(kHead) + kTourFileStep + "[[step]]\nscene = \"kerr\"\n", 6, "step[2].text", "missing"},
 };
 
 }  // namespace
 
 TEST_CASE("tours: each broken one is one line that names file, line, key and what is allowed") {
-    for (const Broken& broken : kBroken) {
+    for (const TourFileBroken& broken : kTourFileBroken) {
         CAPTURE(broken.text.substr(0, 200));
         const auto tour = parse(broken.text);
         REQUIRE_FALSE(tour);
@@ -90,7 +90,7 @@ TEST_CASE("tours: each broken one is one line that names file, line, key and wha
         for (const char c : error.message()) CHECK(static_cast<unsigned char>(c) >= 0x20);
     }
     std::string many = kHead;
-    for (std::size_t i = 0; i <= kMostTourSteps; ++i) many += kStep;
+    for (std::size_t i = 0; i <= kMostTourSteps; ++i) many += kTourFileStep;
     const auto tour = parse(many);
     REQUIRE_FALSE(tour);
     CHECK(tour.error().message().find("step: 101 steps") != std::string::npos);
