@@ -74,7 +74,7 @@ Result<Steps> steps_of(const Scene& scene) {
 Result<Json> measure_spin(const Bench& bench, const View& view, int frames) {
     const int width = bench.target.width, height = bench.target.height;
     const Scene scene = scene_of(view, width, height),
-                small = scene_of(view, kErrorWidthBySpin, kSpinErrorWidth * height / width);
+                small = scene_of(view, kErrorWidthBySpin, kErrorWidthBySpin * height / width);
     const double finer = static_cast<double>(width) / kErrorWidthBySpin;
     const ExactTrace exact = remembered(exact_trace(small));
     TRY(ours, errors_of(bench.renderer(), Method{}, small, exact));
