@@ -80,7 +80,7 @@ def test_typing_a_number_does_not_fly(v):
             v.settle(*step)
         for key in ["ctrl+a", *text, "Return"]:
             for sign in ("keydown", "keyup"):     # Dear ImGui 1.86 sees keys that are down during a frame
-                v.settle(sign, key) if "+" not in key else v.settle("key", "--delay", 200, key)
+                v.settle(sign, key) if "+" not in key else v.settle("key", key)
         shots.append(v.settle())
         assert shots[-1].changed(before, CHANGED), "a radius that is typed in takes no effect"
     same(*shots, "between 14 and w14")
@@ -172,12 +172,12 @@ def test_the_editor_adds_changes_refuses_and_removes(v):
     for step in [["mousedown", 1], ["mouseup", 1], ["keyup", "ctrl"]]:
         v.settle(*step)
     for key in ["ctrl+a", *"900", "Return"]:
-        v.settle("key", "--delay", 200, key)
+        v.settle("key", key)
     v.settle("mousemove", *BESIDE)
     assert v.refused(EDITOR) > 20, "an inner radius beyond the outer one is not refused"
     v.click(*EDITOR_SEARCH)
     for key in ["ctrl+a", "BackSpace", "Escape"]:
-        v.settle("key", "--delay", 200, key)
+        v.settle("key", key)
     v.settle("mousemove", *BESIDE, "key", "ctrl+e")
     same(ball, v.picture(ADDED), "after a value that was refused")
     same(home, seen("key", "ctrl+z"), "after the ball was undone")

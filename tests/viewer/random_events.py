@@ -2,7 +2,7 @@
 """Random mouse and key events for nullscope-viewer: it stays a window that answers, and what it saves can be read.
 
 Usage: random_events.py VIEWER [--seconds S] [--seeds N] [--first-seed K] [--size WxH] [--nullscope PROGRAM]
-Each seed starts with another scene that ships. A viewer that was told to quit (status 0) is started again; any other end is a failure.
+Each seed starts with another scene that ships. Without --first-seed or NULLSCOPE_SEED each run has other ones, which it prints. A viewer that was told to quit (status 0) is started again; any other end is a failure.
 Exit status 0: all seeds passed; 1: some failed; 77: Xvfb or xdotool is missing.
 """
 import argparse
@@ -13,7 +13,7 @@ import sys
 import time
 from pathlib import Path
 
-from viewer_process import EVERYTHING, HUNG_S, Viewer
+from viewer_process import EVERYTHING, HUNG_S, Viewer, dice
 from x_screen import Screen, missing_tools, wait_until
 
 SCENES = ["first-light", "kerr", "wormhole", "kerr-spot", "kerr-planet", "two-spacetimes", "starlight", "torus", "neutron-star",
@@ -81,12 +81,13 @@ def one_seed(screen, options, seed, width, height):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("viewer")
-    parser.add_argument("--seconds", type=float, default=20.0 if EVERYTHING else 4.0)
-    parser.add_argument("--seeds", type=int, default=3 if EVERYTHING else 1)
-    parser.add_argument("--first-seed", type=int, default=1)
+    parser.add_argument("--seconds", type=float, default=20.0 if "NULLSCOPE_EVERYTHING" in os.environ else 10.0 if EVERYTHING else 4.0)
+    parser.add_argument("--seeds", type=int, default=3 if "NULLSCOPE_EVERYTHING" in os.environ else 2 if EVERYTHING else 1)
+    parser.add_argument("--first-seed", type=int)
     parser.add_argument("--size", default="1000x640")
     parser.add_argument("--nullscope", help="the program that reads what was saved (default: beside the viewer)")
     options = parser.parse_args()
+    first = dice().randrange(10 ** 6) if options.first_seed is None else options.first_seed
     options.nullscope = options.nullscope or str(Path(options.viewer).resolve().parent / "nullscope")
     if missing_tools():
         return 77
@@ -94,7 +95,7 @@ def main():
     width, height = map(int, options.size.split("x"))
     screen, good = Screen(width + 40, height + 40), True
     try:
-        for seed in range(options.first_seed, options.first_seed + options.seeds):
+        for seed in range(first, first + options.seeds):
             try:
                 one_seed(screen, options, seed, width, height)
             except AssertionError as failure:

@@ -11,7 +11,7 @@ import zlib
 from pathlib import Path
 
 
-def wait_until(what, condition, timeout_s=30.0, every_s=0.03):
+def wait_until(what, condition, timeout_s=600.0, every_s=0.03):
     """The first true value of condition(); AssertionError with `what` if there is none in time."""
     end = time.monotonic() + timeout_s
     while True:
@@ -113,7 +113,9 @@ class Screen:
         read_end, write_end = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24", "-fbdir", self.folder,
-             "-nolisten", "tcp", "-noreset"],   # a reset, when the last program leaves, turns away the next that comes
+             # -noreset: a reset, when the last program leaves, turns away the next that comes. -r: a key that is down for long, as on a
+             # slow machine, does not repeat itself.
+             "-nolisten", "tcp", "-noreset", "-r"],
             pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as pipe:
@@ -147,7 +149,7 @@ class Screen:
     def hands(self, *words):
         """xdotool; returns what it prints."""
         return subprocess.run(["xdotool", *map(str, words)], env={**os.environ, "DISPLAY": self.display}, check=True,
-                              stdout=subprocess.PIPE, text=True, timeout=30).stdout
+                              stdout=subprocess.PIPE, text=True, timeout=600).stdout
 
 
 class WindowCloser:
