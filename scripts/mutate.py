@@ -86,7 +86,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("spin-dips", "bodies about a rotating hole that a ray just touches, missed", "src/reference/first_change.h",
      "if (dip <= 0) return first_change", "if (dip <= -1) return first_change", ("unit_tests", "kerr bodies*")),
     ("spin-azimuth", "Kerr-Schild azimuth where Boyer-Lindquist is meant", "src/reference/kerr_trace.h",
-     "(from.azimuth + turned(from, s) - chart_.ahead(r))", "(from.azimuth + turned(from, s) - std::atan2(chart_.a, r))",
+     "turned(from, s, length) - chart_.ahead(r))", "turned(from, s, length) - std::atan2(chart_.a, r))",
      ("unit_tests", "kerr bodies*")),
     ("thin-rings", "thin rings met by the pixel's middle only", "shaders/planar/disc_thin.glsl",
      "ring.thin = phi > frame.critical.w", "ring.thin = phi < 0.0", ("gpu_tests", "thin rings*")),

@@ -26,17 +26,19 @@ struct KerrTrace::Looks {
     double taken;
     std::optional<Between> line{};
 
-    KerrPlace at(double along) const { return trace.place_of(from, trace.stepped(from, along - from.along)); }
+    KerrPlace at(double along) const {
+        return trace.place_of(from, trace.stepped(from, along - from.along), along - from.along);
+    }
     Between::Known near(double along) {
         if (!line) line = trace.between(from, end, taken);
         return (*line)((along - from.along) / taken);
     }
 };
 
-KerrPlace KerrTrace::place_of(const Here& from, const State& s) const {
+KerrPlace KerrTrace::place_of(const Here& from, const State& s, double length) const {
     const double au2 = (flow_.a * s[5]) * (flow_.a * s[5]), ratio = KerrFlow::round(s[2], au2).ratio, r = ratio / s[5];
-    return {r, std::atan2(std::hypot(s[0], s[1]) / std::sqrt(ratio * ratio + au2), s[2] / ratio), azimuth(from, s, r),
-            delay(from, s)};
+    return {r, std::atan2(std::hypot(s[0], s[1]) / std::sqrt(ratio * ratio + au2), s[2] / ratio),
+            azimuth(from, s, length, r), delay(from, s)};
 }
 
 // By states at the places between, which are integrated together, and the slopes that they have.
@@ -87,7 +89,9 @@ void KerrTrace::show(const State& end, double taken) const {
                   {},
                   0,
                   [looks](double along) { return looks->at(along); },
-                  [looks](double along) { return looks->trace.place_of(looks->from, looks->near(along).value); },
+                  [looks](double along) {
+                      return looks->trace.place_of(looks->from, looks->near(along).value, along - looks->from.along);
+                  },
                   [looks](double along, bool timed) {
                       return looks->trace.glance(looks->from, looks->near(along), looks->taken, timed);
                   }};
@@ -99,8 +103,8 @@ void KerrTrace::show(const State& end, double taken) const {
         }
         (begins ? step.to : step.from) = from + out;
     }
-    step.begin = begins ? place_of(here_, here_.state) : step.at(step.from);
-    step.end = ends ? place_of(here_, end) : step.at(step.to);
+    step.begin = begins ? place_of(here_, here_.state, 0) : step.at(step.from);
+    step.end = ends ? place_of(here_, end, taken) : step.at(step.to);
     const double before = slope(here_, here_.state)[5], after = slope(here_, end)[5],
                  u = std::max(here_.state[5], end[5]);
     const bool turns = before > 0 && after < 0;  // no step has an arc of more than a radian

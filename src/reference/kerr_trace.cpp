@@ -10,7 +10,8 @@ namespace {
 constexpr double kStepTolerance = 1e-14;
 constexpr double kLargeMomentum = 1e-3;  // of a momentum: below that part errors are its rounding's
 constexpr double kFirstStep = 0.05;      // rad, about
-constexpr double kLongestArc = 1;        // rad: the sense in which a ray goes round must show
+constexpr double kLongestArc = 1;        // rad: no step goes half round the hole,
+constexpr double kSureTurn = 1.5;        // nor is dragged round so far that of such a turn the sense would not be sure
 // 1/r_s: nearer than that light may have no energy, and the clock is t; farther off t would not be smooth.
 constexpr double kNearHole = 0.5;
 constexpr double kNearStep = 0.3;  // of u, of a step outward that t is integrated along
@@ -76,8 +77,8 @@ KerrTrace::State KerrTrace::stepped(const Here& from, double length) const {
     return task.end;
 }
 
-KerrPhase KerrTrace::phase(const State& s) const {
-    const Vec3 n{s[0], s[1], s[2]}, j{s[3], s[4], here_.leg.j_z};
+KerrPhase KerrTrace::phase(const Here& from, const State& s) {
+    const Vec3 n{s[0], s[1], s[2]}, j{s[3], s[4], from.leg.j_z};
     return {n / s[5], s[6] * n + s[5] * cross(j, n)};
 }
 
@@ -85,17 +86,23 @@ double KerrTrace::radius(const State& s) const {
     return KerrFlow::round(s[2], (flow_.a * s[5]) * (flow_.a * s[5])).ratio / s[5];
 }
 
-// Of the azimuth along a step, in (-pi, pi]; where that is near half a turn the motion's own sense decides.
-double KerrTrace::turned(const Here& from, const State& to) const {
+// Of the azimuth along a step. Light goes round a part of a great circle, by less than half a turn in the sense of L_z,
+// and is dragged round, by little: next to the axis that decides where atan2 may be off by a turn.
+double KerrTrace::turned(const Here& from, const State& to, double length) const {
     const double x = from.state[0], y = from.state[1];
     if (x == 0 && y == 0) return std::remainder(std::atan2(to[1], to[0]) - from.azimuth, 2 * M_PI);  // from the axis
-    double turn = std::atan2(x * to[1] - y * to[0], x * to[0] + y * to[1]);
-    if (std::abs(turn) > 2.5) {
-        const State d = slope(from, from.state);
-        const double sense = x * d[1] - y * d[0];
-        if (turn * sense < 0) turn += sense > 0 ? 2 * M_PI : -2 * M_PI;
-    }
-    return turn;
+    const double turn = std::atan2(x * to[1] - y * to[0], x * to[0] + y * to[1]);
+    if (std::abs(turn) < kSureTurn) return turn;
+    const double drag = 0.5 * length * (dragging(from, from.state) + dragging(from, to));
+    const double own = std::remainder(turn - drag, 2 * M_PI), sense = from.leg.j_z;
+    return drag + own + (std::abs(own) > 0.5 * M_PI && own * sense < 0 ? std::copysign(2 * M_PI, sense) : 0.0);
+}
+
+// How fast the azimuth grows of light with L_z = 0, of the chart.
+double KerrTrace::dragging(const Here& from, const State& s) const {
+    const auto [x, p] = phase(from, s);
+    const double r = chart_.radius(x);
+    return flow_.a * chart_.pull(from.leg.energy, x, p).delay / ((r * r + flow_.a * flow_.a) * s[5] * s[5]);
 }
 
 void KerrTrace::want(double length) {
@@ -194,16 +201,16 @@ void KerrTrace::take_crossing() {
 void KerrTrace::add_crossing(const State& there, double at) {
     const double r = radius(there);
     if (!(r > outer_)) return;
-    const auto [x, p] = phase(there);
+    const auto [x, p] = phase(here_, there);
     const Vec3 motion = p + chart_.pull(here_.leg.energy, x, p).drift;
     // p^r = dr/dlambda of what is traced, with N sqrt(g_rr) = r/sqrt(g_phiphi); the photon's own has the other sign.
     const double climb = -chart_.rising(x, motion) * r / (ray_.energy * std::sqrt(chart_.g_phiphi(r)));
-    ray_.crossings.push_back({here_.along + at, r, azimuth(here_, there, r), climb, delay(here_, there)});
+    ray_.crossings.push_back({here_.along + at, r, azimuth(here_, there, at, r), climb, delay(here_, there)});
 }
 
 // On to where a step has come.
 void KerrTrace::go_on(const State& state, double taken) {
-    here_.azimuth += turned(here_, state);
+    here_.azimuth += turned(here_, state, taken);
     here_.state = state, here_.along += taken;
     straighten();
     set_clock();
@@ -214,7 +221,7 @@ void KerrTrace::go_on(const State& state, double taken) {
     }
     outside_ = outside_ || r > outer_;
     if (here_.leg.sense < 0 && outside_) {
-        const auto [x, p] = phase(state);
+        const auto [x, p] = phase(here_, state);
         if (chart_.rising(x, p + chart_.pull(here_.leg.energy, x, p).drift) < 0) return follow_mirrored(r);
     }
     if (at_sky(state)) reach_sky();
@@ -243,7 +250,8 @@ void KerrTrace::set_clock() {
 
 // Of a photon that was traced as it is and has turned, on its way to the past horizon now.
 void KerrTrace::follow_mirrored(double r) {
-    const KerrLaunch launch = mirrored(chart_, phase(here_.state), ray_.energy, azimuth(here_, here_.state, r));
+    const KerrLaunch launch =
+        mirrored(chart_, phase(here_, here_.state), ray_.energy, azimuth(here_, here_.state, 0, r));
     begin(launch, {static_cast<long double>(delay(here_, here_.state)) + chart_.tortoise_ahead(r), from_, here_.along});
 }
 
@@ -252,7 +260,7 @@ void KerrTrace::reach_sky() {
     done_ = true;
     ray_.fate = Fate::kEscaped;
     const State& s = here_.state;
-    const Vec3 motion = phase(s).p;
+    const Vec3 motion = phase(here_, s).p;
     const double to_motion = std::remainder(std::atan2(motion.y, motion.x) - std::atan2(s[1], s[0]), 2 * M_PI);
     ray_.phi_inf = here_.leg.phi - here_.leg.sense * (here_.azimuth + to_motion);
     const double flat = std::hypot(motion.x, motion.y), all = std::hypot(flat, motion.z);

@@ -56,12 +56,13 @@ private:
     static FlowRay<double> flow_ray(const Here& from);
     State slope(const Here& from, const State& s) const;
     State stepped(const Here& from, double length) const;
-    KerrPhase phase(const State& s) const;
+    static KerrPhase phase(const Here& from, const State& s);
     double radius(const State& s) const;
     double momentum(const State& s) const {
         return std::sqrt(s[3] * s[3] + s[4] * s[4] + here_.leg.j_z * here_.leg.j_z);
     }
-    double turned(const Here& from, const State& to) const;
+    double turned(const Here& from, const State& to, double length) const;
+    double dragging(const Here& from, const State& s) const;
 
     void want(double length);
     void want_step();
@@ -82,14 +83,14 @@ private:
     static long double clock_time(const Here& from, const State& s);
     double delay(const Here& from, const State& s) const;
     double delay_from_sky() const;
-    // Boyer and Lindquist's azimuth of a state on the step that begins `from` there.
-    double azimuth(const Here& from, const State& s, double r) const {
-        return from.leg.phi - from.leg.sense * (from.azimuth + turned(from, s) - chart_.ahead(r));
+    // Boyer and Lindquist's azimuth of a state that a length of the step from `from` leads to.
+    double azimuth(const Here& from, const State& s, double length, double r) const {
+        return from.leg.phi - from.leg.sense * (from.azimuth + turned(from, s, length) - chart_.ahead(r));
     }
     // Looks along a step (kerr_looks.cpp).
     using Between = HermiteNinth<kFlowSize>;
     struct Looks;
-    KerrPlace place_of(const Here& from, const State& s) const;
+    KerrPlace place_of(const Here& from, const State& s, double length) const;
     Between between(const Here& from, const State& end, double taken) const;
     KerrGlance glance(const Here& from, const Between::Known& there, double taken, bool timed) const;
     void show(const State& end, double taken) const;

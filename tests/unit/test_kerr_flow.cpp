@@ -299,3 +299,32 @@ TEST_CASE("kerr flow: without spin wide rays from anywhere have the closed forms
     CHECK(directions < kDirection);
     CHECK(times < 1);
 }
+
+TEST_CASE("kerr flow: next to the axis azimuths have no leap of a turn, where a ray is dragged against its L_z too") {
+    double most = 0;
+    int rays = 0;
+    for (const double spin : {0.5, 0.998})
+        for (const double l : {0.05, -0.05, 0.02, -0.02})
+            for (const double across : {-2.8, -2.3, 2.4, 2.6, 4.0})
+                for (const double theta : {0.4, 1.3}) {
+                    constexpr double kFrom = 20;
+                    const Vec3 look = normalized({-1, across / kFrom, l / kFrom});
+                    double before = NAN;
+                    const KerrRay ray =
+                        trace_kerr(KerrHole(spin), KerrStart{kFrom, theta, 0, look}, 0, [&](const KerrStep& step) {
+                            if (std::min(step.begin.r, step.end.r) < 1.1) return;
+                            for (int i = 0; i <= 128; ++i) {
+                                const double phi = i == 0 ? step.begin.phi
+                                                   : i == 128
+                                                       ? step.end.phi
+                                                       : step.at(step.from + (step.to - step.from) * i / 128).phi;
+                                if (before == before) most = std::max(most, std::abs(phi - before));
+                                before = phi;
+                            }
+                        });
+                    ++rays;
+                    if (ray.fate == Fate::kEscaped) most = std::max(most, std::abs(ray.phi_inf - before));
+                }
+    fmt::print("kerr flow: {} rays past the axis, azimuths by at most {:.2f} rad from place to place\n", rays, most);
+    CHECK(most < 2.5);
+}
