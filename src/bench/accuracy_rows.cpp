@@ -17,8 +17,9 @@ constexpr int kSpinErrorWidth = 160,
 constexpr double kRefineAbove_px = 5e-5;  // of this frame: 0.0005 px of the 4K frame
 constexpr double kNear = 1.5;             // horizon radii: nearer cameras about a rotating hole are reported apart
 
-// Core-seconds of a frame beyond which a part of its rows are drawn: bands of kBand, as blocks with more rays have, spread over the picture.
-constexpr double kLongFrame_s = 0.15;
+// Core-seconds of a frame beyond which a part of its rows are drawn, in bands, spread over the picture. Each band costs some 0.05 ms besides
+// its rays.
+constexpr double kLongFrame_s = 0.25;
 constexpr int kBand = 4, kSmallestPart = 16;
 
 constexpr std::string_view kMethods =
@@ -88,10 +89,20 @@ void take_table(const Renderer& renderer, AccuracyRow& row) {
         if (line.name == (strip ? "strip" : "deflection table")) row.bytes = line.bytes;
 }
 
+// Every part-th band of rows, spread about the middle; how many rows the frame has for each of them.
+double rows_for_one(int part) {
+    int bands = 0;
+    for (int first = (part - 1) * kBand / 2; first + kBand <= kTimeHeight; first += part * kBand) ++bands;
+    return static_cast<double>(kTimeHeight) / (bands * kBand);
+}
 void draw_part(const Bench& bench, Renderer& by, int part) {
     if (part == 1) return bench.draw(by);
-    for (int first = 0; first < kTimeHeight; first += part * kBand)
-        by.draw_rows(bench.target.framebuffer.id(), kTimeWidth, kTimeHeight, Output::kDisplay, first, first + kBand);
+    const auto rows = [&](int first, int last) {
+        by.draw_rows(bench.target.framebuffer.id(), kTimeWidth, kTimeHeight, Output::kDisplay, first, last);
+    };
+    rows(0, 0);  // what a picture begins with
+    for (int first = (part - 1) * kBand / 2; first + kBand <= kTimeHeight; first += part * kBand)
+        rows(first, first + kBand);
 }
 
 }  // namespace
@@ -146,7 +157,7 @@ Status measure_cost(const Bench& bench, const Scene& scene, int frames, Accuracy
     Samples first, drawn, floor;
     draw_part(bench, renderer, kSmallestPart);  // compiles
     in_turn(kSmallestPart, first, floor);
-    const double long_s = (first.core_s.back() - floor.core_s.back()) * kSmallestPart;
+    const double long_s = (first.core_s.back() - floor.core_s.back()) * rows_for_one(kSmallestPart);
     while (row.part < kSmallestPart && long_s > kLongFrame_s * row.part) row.part *= 2;
     draw_part(bench, renderer, row.part);
     floor = {};
@@ -157,8 +168,8 @@ Status measure_cost(const Bench& bench, const Scene& scene, int frames, Accuracy
     row.cost = drawn;
     if (row.part == 1) row.floor = floor;
     const auto as_whole = [&](std::vector<double> Samples::*of) {
-        const double fixed = median(row.floor.*of) - row.part * median(floor.*of);
-        for (double& time : row.cost.*of) time = fixed + row.part * time;
+        const double times = rows_for_one(row.part), fixed = median(row.floor.*of) - times * median(floor.*of);
+        for (double& time : row.cost.*of) time = fixed + times * time;
     };
     as_whole(&Samples::wall_ms), as_whole(&Samples::core_s), as_whole(&Samples::gpu_ms);
     return Done{};
