@@ -1,8 +1,8 @@
 #include "render/frame_tables.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "render/body_numbers.h"
@@ -49,11 +49,11 @@ void FrameTables::list_rays(bool in_double, const ListedCrossings& asked, std::s
                             ListedRay* found) const {
     constexpr std::size_t kBlock = 256;  // rays: setting up the core costs as much as a fraction of one
     const CoreInput input = core_input();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), kBlock),
-                      [&](const tbb::blocked_range<std::size_t>& part) {
-                          (in_double ? list_core64 : list_core32)(input, asked, rays.subspan(part.begin(), part.size()),
-                                                                  found + part.begin());
-                      });
+    tbb::parallel_for(std::size_t{0}, (rays.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
+        const std::size_t first = block * kBlock;
+        const auto part = rays.subspan(first, std::min(kBlock, rays.size() - first));
+        (in_double ? list_core64 : list_core32)(input, asked, part, found + first);
+    });
 }
 
 }  // namespace nullscope
