@@ -22,7 +22,10 @@ class Fall {
 public:
     using State = std::array<double, 3>;  // r, P, phi
     Fall(const OrbitMetric& metric, State start, double momentum)
-        : metric_(metric), momentum_(momentum), ways_{{{start}, {start}}} {}
+        : metric_(metric),
+          horizon_(metric.horizon_radius().value_or(0.0)),
+          momentum_(momentum),
+          ways_{{{start}, {start}}} {}
     State at(double t) {
         const double sense = t < 0 ? -1 : 1;
         const std::lock_guard lock(mutex_);
@@ -54,7 +57,7 @@ private:
         constexpr double kThere = 1e-12;  // of the horizon: nearer to it A is rounding
         const double r = s[0];
         d = {0, 0, 0};
-        if (!(r > metric_.horizon_radius().value_or(0.0) * (1 + kThere))) return;
+        if (!(r > horizon_ * (1 + kThere))) return;
         const double a = metric_.lapse2(r);
         if (!(a > 0)) return;  // on a star's ground
         const double across = momentum_ / r, energy = std::sqrt(s[1] * s[1] + a * (1 + across * across));
@@ -63,7 +66,7 @@ private:
         d[2] = a * across / (r * energy);
     }
     const OrbitMetric& metric_;
-    double momentum_;
+    double horizon_, momentum_;
     std::array<std::vector<State>, 2> ways_;
     std::mutex mutex_;
 };

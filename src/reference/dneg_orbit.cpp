@@ -6,6 +6,7 @@
 // (R - b, rho - b, x - x_t) is formed on its own, in long double.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "reference/plane_metrics.h"
 #include "reference/smooth_segment.h"
@@ -160,12 +161,17 @@ public:
         const double last = side_.turns ? (leaves_ ? beyond_ : beyond_ + to_middle_) : last_;
         const double ends_on = side_.turns ? on_ : start_.outward ? 1 : -1;
         const auto place = [&](double w) { return half + unit * side_.x(w); };
+        const auto rate = [this](double w) { return side_.rate(w); };
         if (rest <= last) {  // from the sky, whose digits count
             const double tail = side_.beyond_end();
             if (rest <= tail) return ends_on * (side_.b / rest + (place(side_.end) - side_.at(side_.end).radius));
-            return ends_on * place(invert(side_.end, leaves_ ? camera_ : 0, tail - rest));
+            if (!from_sky_) from_sky_.emplace(side_.end, leaves_ ? camera_ : 0, Side::kStep);
+            return ends_on * place((*from_sky_)(rate, tail - rest));
         }
-        if (!in_tube_ && angle <= to_middle_) return on_ * place(invert(camera_, 0, -angle));
+        if (!in_tube_ && angle <= to_middle_) {
+            if (!from_camera_) from_camera_.emplace(camera_, 0, Side::kStep);
+            return on_ * place((*from_camera_)(rate, -angle));
+        }
         return ends_on * half * (1 - 2 * (rest - last) / tube_);
     }
     // Of a ray that turns, elapsed time minus what |l| grows by; of one that passes, minus the length of its way.
@@ -178,14 +184,12 @@ public:
     }
 
 private:
-    double invert(double from, double to, double value) const {
-        return invert_panels([this](double w) { return side_.rate(w); }, from, to, value, Side::kStep);
-    }
     Throat m_;
     ThroatStart start_;
     Side side_;
     double on_ = 1, camera_ = 0, beyond_ = 0, to_middle_ = 0, tube_ = 0, tube_way_ = 0, last_ = 0;
     bool in_tube_ = false, leaves_ = false;
+    mutable std::optional<PanelInverse> from_sky_, from_camera_;  // of w, once places there are asked for
 };
 
 class Dneg : public OrbitMetric {

@@ -7,15 +7,20 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
+#include "reference/chebyshev.h"
 #include "reference/root.h"
 
 namespace nullscope::reference {
 namespace {
 
-constexpr double kRadial = 1e7;               // q beyond which light is as good as radial: b^2/r^2 = 1e-14
-constexpr double kLongest = 0.3, kRatio = 2;  // of a panel, rad; of the radii in it: 15 nodes leave 1e-13
+constexpr double kRadial = 1e7;                         // q beyond which light is as good as radial: b^2/r^2 = 1e-14
+constexpr double kLongest = 0.8, kRatio = 2.5;          // of a piece, rad; of the radii at its ends
+constexpr double kTimeTolerance = 1e-13;                // of its mean rate: the last terms of its sum
+constexpr double kRounding = 2e-15, kGrowth = 8;        // of a place; from piece to piece
+constexpr int kMostHalvings = 60, kMostShorter = 3;     // for the radii, of light from far away; for the sum
+constexpr double kLongestPanel = 0.3, kPanelRatio = 2;  // of v, rad; of the radii in it: 15 nodes leave 1e-13
 constexpr int kDeepestHalving = 12;
-constexpr double kTimeTolerance = 1e-12;
+constexpr double kExcess = 1e-12;
 using TimeRule = boost::math::quadrature::gauss_kronrod<double, 31>;
 
 }  // namespace
@@ -28,7 +33,7 @@ double tortoise_excess(const OrbitMetric& metric, double r) {
         return (1 / a - 1 - x) / (x * x);
     };
     if (metric.lapse(1e6) == 1) return 0;  // flat
-    return std::log(r) - TimeRule::integrate(rest, 0.0, 1 / r, kDeepestHalving, kTimeTolerance);
+    return std::log(r) - TimeRule::integrate(rest, 0.0, 1 / r, kDeepestHalving, kExcess);
 }
 
 LightClock::LightClock(const OrbitMetric& metric, const Orbit& orbit, double q, double camera_r, bool falls)
@@ -39,12 +44,45 @@ LightClock::LightClock(const OrbitMetric& metric, const Orbit& orbit, double q, 
     known_[0.0] = 0.0;
 }
 
-double LightClock::travel_time(double from, double to) const {
-    const auto rate = [this](double angle) {
-        const double zeta = orbit_.zeta_at(angle);
-        if (!by_v_) return q_ / (zeta * zeta * metric_.lapse2(1 / zeta));
-        // Outward without a turning point: 1/(q + sqrt(q^2 - V)); V = zeta^2 A < 0 inside.
-        const double step = 1e-6,
+double LightClock::rate(double angle) const {
+    const double zeta = orbit_.zeta_at(angle);
+    return q_ / (zeta * zeta * metric_.lapse2(1 / zeta));
+}
+
+double LightClock::Piece::at(double angle) const {
+    return before + 0.5 * (to - from) * chebyshev_sum(time, (2 * angle - (from + to)) / (to - from));
+}
+
+// As long as the last terms of its sum are nothing: shorter where the radius changes much, far out and next to a horizon.
+void LightClock::go_on() {
+    const double from = pieces_.empty() ? 0 : pieces_.back().to, end = orbit_.angle(), zeta = orbit_.zeta_at(from);
+    double width = kLongest;
+    if (!pieces_.empty()) width = std::min(width, kGrowth * (from - pieces_.back().from));
+    if (std::isfinite(end)) width = std::min(width, 0.5 * (end - from));
+    for (int i = 0; i < kMostHalvings; ++i, width *= 0.5) {
+        const double there = orbit_.zeta_at(from + width);
+        if (std::max(zeta, there) < kRatio * std::min(zeta, there)) break;
+    }
+    for (int halvings = 0;; ++halvings, width *= 0.5) {
+        std::array<double, kTerms> values{};
+        for (std::size_t i = 0; i < kTerms; ++i)
+            values[i] = rate(from + 0.5 * width * (1 + chebyshev_places<kTerms>()[i]));
+        const auto terms = chebyshev_terms(values);
+        const double left = std::abs(terms[kTerms - 1]) + std::abs(terms[kTerms - 2]);
+        // Next to the way's end, or to a horizon, what is left is the rounding of places.
+        const double to = from + width, lapse2 = metric_.lapse2(1 / orbit_.zeta_at(to)),
+                     rounded = kRounding * (1 / lapse2 + (std::isfinite(end) ? to / (end - to) : 0));
+        if (left > (kTimeTolerance + rounded) * std::abs(terms[0]) && halvings < kMostShorter) continue;
+        const double before = pieces_.empty() ? 0 : pieces_.back().at(from);
+        pieces_.push_back({from, from + width, before, chebyshev_integral(terms)});
+        return;
+    }
+}
+
+double LightClock::time_of_v(double from, double to) const {
+    // Outward without a turning point: 1/(q + sqrt(q^2 - V)); V = zeta^2 A < 0 inside.
+    const auto v_rate = [this](double angle) {
+        const double step = 1e-6, zeta = orbit_.zeta_at(angle),
                      slope = (orbit_.zeta_at(angle + step) - (angle > step ? orbit_.zeta_at(angle - step) : zeta)) /
                              (angle > step ? 2 * step : step);
         return 1 / (q_ - slope);
@@ -54,9 +92,9 @@ double LightClock::travel_time(double from, double to) const {
                                                                           double zeta_b) {
         const double middle = 0.5 * (a + b), zeta = orbit_.zeta_at(middle), most = std::max({zeta_a, zeta, zeta_b}),
                      least = std::min({zeta_a, zeta, zeta_b});
-        if (middle > a && middle < b && (b - a > kLongest || !(most < kRatio * least)))
+        if (middle > a && middle < b && (b - a > kLongestPanel || !(most < kPanelRatio * least)))
             return sum(a, middle, zeta_a, zeta) + sum(middle, b, zeta, zeta_b);
-        return boost::math::quadrature::gauss<double, 15>::integrate(rate, a, b);
+        return boost::math::quadrature::gauss<double, 15>::integrate(v_rate, a, b);
     };
     return sum(from, to, orbit_.zeta_at(from), orbit_.zeta_at(to));
 }
@@ -67,11 +105,20 @@ double LightClock::delay(double angle) {
     if (!(q_ < kRadial))
         return by_v_ ? r + tortoise_excess(metric_, r) - r0_
                      : start_ + std::fabs(r + tortoise_excess(metric_, r) - r0_ - tortoise_excess(metric_, r0_));
+    if (!by_v_) {
+        for (double to = -1; pieces_.empty() || (angle > pieces_.back().to && pieces_.back().to > to);) {
+            to = pieces_.empty() ? -1 : pieces_.back().to;
+            go_on();
+        }
+        const auto next = std::upper_bound(pieces_.begin() + 1, pieces_.end(), angle,
+                                           [](double at, const Piece& piece) { return at < piece.from; });
+        return start_ + (next - 1)->at(angle);
+    }
     auto next = known_.upper_bound(angle);
     const auto [from, so_far] = *--next;
-    const double sum = angle > from ? so_far + travel_time(from, angle) : so_far;
+    const double sum = angle > from ? so_far + time_of_v(from, angle) : so_far;
     known_[angle] = sum;
-    return by_v_ ? sum + r + tortoise_excess(metric_, r) - r0_ : start_ + sum;
+    return sum + r + tortoise_excess(metric_, r) - r0_;
 }
 
 namespace {

@@ -64,7 +64,7 @@ public:
         const double l = lapse(r);
         return l * l;
     }
-    double lapse2_slope(double r) const;  // by r; differences of eighth order, r outside the horizon
+    virtual double lapse2_slope(double r) const;  // by r; here differences of eighth order, r outside the horizon
 
     // Of metrics whose r is the areal radius, and g_rr = 1/lapse^2.
     EquatorialMetric equator(double r) const override {

@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "reference/plane_metrics.h"
@@ -175,17 +176,22 @@ public:
 private:
     // A camera so far out that q^2 - V stays near q^2: in zeta itself angles of any smallness keep their digits.
     double place_at(double angle) const override {
-        if (near_sky_) return invert_panels(sky_rate(), 0, place_, angle_ - angle);
+        const auto inverse = [](std::optional<PanelInverse>& made, double begin, double to,
+                                double panel) -> PanelInverse& {
+            if (!made) made.emplace(begin, to, panel);
+            return *made;
+        };
+        if (near_sky_) return inverse(from_end_, 0, place_, kPanel)(sky_rate(), angle_ - angle);
         if (turns_ && angle < turn_angle_)
-            return segment_.zeta(invert_panels(rate(), segment_.camera, segment_.first, -angle, segment_.panel));
+            return segment_.zeta(inverse(to_turn_, segment_.camera, segment_.first, segment_.panel)(rate(), -angle));
         const double from = turns_ ? segment_.first : segment_.camera, so_far = turns_ ? turn_angle_ : 0,
                      sense = from < segment_.end ? 1 : -1;
         // From the nearer end: next to the sky zeta is small, and its digits count from there.
         if (angle_ - angle < 0.5 * (angle_ - so_far)) {
-            const double w = invert_panels(rate(), segment_.end, from, sense * (angle - angle_), segment_.panel);
+            const double w = inverse(from_end_, segment_.end, from, segment_.panel)(rate(), sense * (angle - angle_));
             return segment_.to_sky ? segment_.near_sky(w) : segment_.zeta(w);
         }
-        return segment_.zeta(invert_panels(rate(), from, segment_.end, sense * (angle - so_far), segment_.panel));
+        return segment_.zeta(inverse(onward_, from, segment_.end, segment_.panel)(rate(), sense * (angle - so_far)));
     }
     auto rate() const {
         return [this](double w) { return segment_.rate(w); };
@@ -196,6 +202,7 @@ private:
     double q_;
     Segment segment_;
     bool turns_, near_sky_;
+    mutable std::optional<PanelInverse> to_turn_, from_end_, onward_;  // once places there are asked for
 };
 
 }  // namespace nullscope::reference

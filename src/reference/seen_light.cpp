@@ -39,14 +39,18 @@ Colour colour_of(double temperature_K) {
 
 }  // namespace
 
+double seen_log2_brightness(double temperature_K, bool bolometric) {
+    return bolometric ? log2_brightness(temperature_K, true) : colour_of(temperature_K).log2_luminance;
+}
+
 Vec3 seen_black_body(double temperature_K, double g, const LightSpec& light) {
     const double coloured_K = light.shift ? g * temperature_K : temperature_K,
                  bright_K = light.beaming ? g * temperature_K : temperature_K;
     const Colour colour = colour_of(coloured_K);
     if (!(colour.hue.y > 0)) return {0, 0, 0};
-    const double log2_bright = bright_K == coloured_K && !light.bolometric ? colour.log2_luminance
-                               : light.bolometric                          ? log2_brightness(bright_K, true)
-                                                                           : colour_of(bright_K).log2_luminance;
+    const double log2_bright = bright_K == coloured_K && !light.bolometric
+                                   ? colour.log2_luminance
+                                   : seen_log2_brightness(bright_K, light.bolometric);
     return std::exp2(log2_bright) * into_gamut(rec709_from_xyz(colour.hue));
 }
 

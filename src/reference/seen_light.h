@@ -17,4 +17,7 @@ struct Shift {
 // what the sum over wavelengths gives.
 Vec3 seen_black_body(double temperature_K, double g, const LightSpec& light);
 
+// log2_brightness (light/black_body.h) by the same sums.
+double seen_log2_brightness(double temperature_K, bool bolometric);
+
 }  // namespace nullscope::reference

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 
-#include "light/black_body.h"
 #include "observer/pose.h"
 #include "reference/root.h"
 #include "reference/seen_light.h"
@@ -18,7 +17,7 @@ namespace {
 
 constexpr int kOrders = 4;  // images that a picture has; the next is e^-pi dimmer, and some pixels of the shadow's rim
 constexpr double kStep_px = 1e-3;  // of the Jacobian's differences
-constexpr int kSamples = 400;
+constexpr int kSamples = 8000;     // rays that bracket every image: the closer, the fewer are needed to find it
 
 }  // namespace
 
@@ -81,7 +80,7 @@ void StarImages::add_image(double x, double y, int order, double margin_px, std:
 }
 
 Vec3 star_light(const PointStar& star, double g, const LightSpec& light) {
-    return star.flux * std::exp2(-log2_brightness(star.temperature_K, light.bolometric)) *
+    return star.flux * std::exp2(-seen_log2_brightness(star.temperature_K, light.bolometric)) *
            seen_black_body(star.temperature_K, g, light);
 }
 

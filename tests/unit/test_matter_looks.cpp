@@ -12,6 +12,7 @@
 #include "reference/kerr_between.h"
 #include "reference/kerr_ray.h"
 #include "reference/seen_light.h"
+#include "reference/smooth_segment.h"
 
 namespace {
 
@@ -83,7 +84,7 @@ TEST_CASE("matter: what a camera sees of a black body is the sum over wavelength
 
 // From places to both sides of the hole, prograde and retrograde, captured and not, over the axis too.
 TEST_CASE(
-    "matter about a rotating hole: an interpolant's places are the step's to 1e-9 of the distance, and so are its "
+    "matter about a rotating hole: an interpolant's places are the step's to 1e-12 of the distance, and so are its "
     "slopes") {
     constexpr double kNear = 30;  // r_s: where matter is looked for, of a flow that ends at 15
     for (const double spin : {0.3, 0.9, 0.998}) {
