@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""clang-tidy on src/ and what of web/ this machine compiles too, by the compile commands of preset sanitize (clang, no precompiled headers).
+"""clang-tidy on src/ and what of web/ this machine compiles too, by the compile commands of preset tidy.
 
     scripts/tidy.py             all files
     scripts/tidy.py FILE...     only these .cpp files
@@ -22,7 +22,7 @@ from itertools import groupby
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-BUILD = ROOT / "build/sanitize"
+BUILD = ROOT / "build/tidy"
 GROUP = 6
 ALONE = 20
 CHECKS_OF_A_GROUP = "-bugprone-suspicious-include"
@@ -32,7 +32,7 @@ FOUND = re.compile(r"^(/[^:]+):(\d+):(\d+): (warning|error): (.*)$")
 def commands():
     """Of each .cpp file of src/ and web/: the compiler's words without the file, its output and its module's folder."""
     if not (BUILD / "compile_commands.json").exists():
-        subprocess.run(["cmake", "--preset", "sanitize"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(["cmake", "--preset", "tidy"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     found = {}
     for entry in json.loads((BUILD / "compile_commands.json").read_text()):
         path = Path(entry["file"])

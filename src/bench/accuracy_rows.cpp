@@ -115,7 +115,7 @@ Result<std::vector<AccuracyRow>> accuracy_rows(const Spacetime& spacetime) {
         AccuracyRow& row = rows.emplace_back();
         row.name = text, row.method = *method;
     }
-    std::ranges::stable_partition(rows, &AccuracyRow::is_default);
+    std::stable_partition(rows.begin(), rows.end(), [](const AccuracyRow& row) { return row.is_default(); });
     return rows;
 }
 

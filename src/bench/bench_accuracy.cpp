@@ -129,6 +129,7 @@ void print_whole_frames(const std::vector<Row>& rows) {
 Status plot(const Bench& bench, const std::vector<ErrorView>& views, const std::vector<Row>& rows,
             const std::string& file) {
     std::vector<PlotPoint> points;
+    points.reserve(rows.size());
     for (const Row& row : rows)
         points.push_back({row.name, row.method, row.core_s(), row.screen_px.max, row.on_frontier, row.is_default()});
     const Scene& first = views.front().scene;

@@ -23,7 +23,7 @@ using Nearby = std::array<Values, 2 * kBeside + 1>;
 template <class Values, class Function>
 Nearby<Values> nearby(const Function& f, double r) {
     Nearby<Values> values;
-    for (int n = -kBeside; n <= kBeside; ++n) values[static_cast<std::size_t>(kBeside + n)] = f(r * (1 + n * kApart));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(r * (1 + (static_cast<int>(i) - kBeside) * kApart));
     return values;
 }
 template <class Values>

@@ -27,8 +27,8 @@ std::array<FlowSteps, 3> all_flow_steps() {
 }
 
 void flow_steps(const KerrFlow& flow, FlowTask<double>* const* tasks, std::size_t count) {
-    static const FlowSteps kSteps = widest_steps();
-    kSteps(flow, tasks, count);
+    static const FlowSteps steps = widest_steps();
+    steps(flow, tasks, count);
 }
 
 }  // namespace nullscope::reference

@@ -241,8 +241,8 @@ std::optional<DiscLight> heat_of(const FrameTracer& tracer, const Scene& scene) 
 std::vector<std::array<double, 2>> places_of(int from, int to, int y, int samples) {
     std::vector<std::array<double, 2>> places;
     for (int x = from; x < to; ++x)
-        for (int i = 0; i < samples * samples; ++i)
-            places.push_back({x + (i % samples + 0.5) / samples, y + (i / samples + 0.5) / samples});
+        for (int row = 0; row < samples; ++row)
+            for (int i = 0; i < samples; ++i) places.push_back({x + (i + 0.5) / samples, y + (row + 0.5) / samples});
     return places;
 }
 
@@ -296,8 +296,8 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
                 found = colours(looks, places_of(x, x + some, y, samples));
             }
             Vec3 sum{0, 0, 0};
-            for (int i = 0; i < samples * samples; ++i)
-                sum = sum + found[static_cast<std::size_t>((x % kTold) * samples * samples + i)];
+            const auto count = static_cast<std::size_t>(samples) * static_cast<std::size_t>(samples);
+            for (std::size_t i = 0; i < count; ++i) sum = sum + found[static_cast<std::size_t>(x % kTold) * count + i];
             sum = sum / (static_cast<double>(samples) * samples);
             float* pixel = image.at(x, y);
             pixel[0] = static_cast<float>(sum.x);

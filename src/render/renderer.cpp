@@ -518,7 +518,7 @@ RayFrame Renderer::ray_data(int row_step) {
 
 Status Renderer::prepare_list(const Scene& scene, bool crossings) {
     tables_.want_crossings(crossings);
-    const Status ready = tables_.update(scene);
+    Status ready = tables_.update(scene);
     tables_.want_crossings(false);
     if (!ready) return ready;
     if (Status able = tables_.path().check(method_, tables_.plan()); !able) return able;
