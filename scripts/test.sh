@@ -12,8 +12,8 @@
 # The first three begin with what takes seconds (format, layering, clang-tidy on changed files) and stop there if it fails. They end
 # with a table of what was built and tested, in base seconds (processor seconds over the slowness of this machine, tests/machine.py),
 # which fails when a sum is over its budget in tests/budget.csv, and with the command that repeats a failure.
-# NULLSCOPE_TURN=n runs another turn, NULLSCOPE_SEED=n repeats the random tests of a run. NULLSCOPE_TESTS=all scripts/test.sh -R NAME
-# runs a single test at the depth of --all.
+# NULLSCOPE_TURN=n runs another turn, NULLSCOPE_RUN=n repeats the random tests of a run; those of tests/proof have a fixed seed, and others
+# with NULLSCOPE_SEED=n. NULLSCOPE_TESTS=all scripts/test.sh -R NAME runs a single test at the depth of --all.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -53,16 +53,16 @@ if [[ $# -gt 0 && $1 != --all && $1 != --turn ]]; then
 fi
 
 tier=quick tests=quick packages=() web=() checks=() since=HEAD
-export NULLSCOPE_SEED=${NULLSCOPE_SEED:-$(date +%s)}   # of random tests: others in each run
-again="NULLSCOPE_SEED=$NULLSCOPE_SEED scripts/test.sh ${1-}"
+export NULLSCOPE_RUN=${NULLSCOPE_RUN:-$(date +%s)}   # what random tests begin from: others in each run
+again="NULLSCOPE_RUN=$NULLSCOPE_RUN scripts/test.sh ${1-}"
 case ${1-} in
     --all)
         tier=all tests=all packages=(--all --web --checks) web=(web) checks=(sanitize headless tidy) ;;
     --turn)
         export NULLSCOPE_TURN=${NULLSCOPE_TURN:-$(cat "$root/.ci/turn")}
         # What a submission's run found in this turn is found by the next run of this turn.
-        [[ -z ${CI-} ]] || NULLSCOPE_SEED=$NULLSCOPE_TURN
-        again="NULLSCOPE_TURN=$NULLSCOPE_TURN NULLSCOPE_SEED=$NULLSCOPE_SEED scripts/test.sh --turn"
+        [[ -z ${CI-} ]] || NULLSCOPE_RUN=$NULLSCOPE_TURN
+        again="NULLSCOPE_TURN=$NULLSCOPE_TURN NULLSCOPE_RUN=$NULLSCOPE_RUN scripts/test.sh --turn"
         tier=turn packages=(--all --checks)
         tests=$(python3 -B "$root/tests/turn.py")
         since=$(python3 -B "$root/tests/turn.py" --base)
@@ -74,7 +74,7 @@ failed() {
     echo "test: FAILED. All of it again: $again" >&2
     if [[ -s $build/Testing/Temporary/LastTestsFailed.log && $build/Testing/Temporary/LastTestsFailed.log -nt $times.begun ]]; then
         sed 's/^[0-9]*://' "$build/Testing/Temporary/LastTestsFailed.log" |
-            while read -r name; do echo "    that one: NULLSCOPE_TESTS=$tests NULLSCOPE_SEED=$NULLSCOPE_SEED scripts/test.sh -R '^$name\$'" >&2; done
+            while read -r name; do echo "    that one: NULLSCOPE_TESTS=$tests NULLSCOPE_RUN=$NULLSCOPE_RUN scripts/test.sh -R '^$name\$'" >&2; done
     fi
     exit "$status"
 }

@@ -31,7 +31,7 @@ signal.pthread_sigmask(signal.SIG_SETMASK, ())
 
 def dice(what):
     """Random numbers, others in every run; NULLSCOPE_SEED=n repeats those of a run that has printed n."""
-    seed = int(os.environ.get("NULLSCOPE_SEED") or random.SystemRandom().randrange(10 ** 6))
+    seed = int(os.environ.get("NULLSCOPE_SEED") or os.environ.get("NULLSCOPE_RUN") or random.SystemRandom().randrange(10 ** 6))
     print(f"{what}: NULLSCOPE_SEED={seed}", flush=True)
     return random.Random(seed)
 

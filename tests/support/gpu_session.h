@@ -56,11 +56,11 @@ inline void on_all_contexts(const std::function<void(GpuSession&)>& test, int mo
 }
 
 // The same; on the first kind alone at quick depth and, at depth all, in three of four places (another four with
-// another NULLSCOPE_SEED). That all draw the same bits has a test of its own (test_repeat.cpp).
+// another NULLSCOPE_RUN). That all draw the same bits has a test of its own (test_repeat.cpp).
 inline void on_every_context(const std::function<void(GpuSession&)>& test, const char* file = __builtin_FILE(),
                              int line = __builtin_LINE()) {
     const std::string_view name = std::string_view(file).substr(std::string_view(file).rfind('/') + 1);
-    const std::string place = fmt::format("{}{}{}", environment_word("NULLSCOPE_SEED"), name, line);
+    const std::string place = fmt::format("{}{}{}", environment_word("NULLSCOPE_RUN"), name, line);
     const bool second = depth(file) == Depth::kEverything || (depth(file) == Depth::kAll && fnv1a(place) / 8 % 4 == 0);
     on_all_contexts(test, second ? 2 : 1);
 }

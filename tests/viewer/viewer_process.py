@@ -94,7 +94,7 @@ def keep_programs(folder):
 
 def dice():
     """Random numbers, others in every run; NULLSCOPE_SEED=n repeats those of a run that has printed n."""
-    seed = int(os.environ.get("NULLSCOPE_SEED") or random.SystemRandom().randrange(10 ** 6))
+    seed = int(os.environ.get("NULLSCOPE_SEED") or os.environ.get("NULLSCOPE_RUN") or random.SystemRandom().randrange(10 ** 6))
     print(f"    NULLSCOPE_SEED={seed}", flush=True)
     return random.Random(seed)
 
