@@ -3,7 +3,6 @@
 Usage of every test here: test_NAME.py PATH-OF-NULLSCOPE [unittest options]
 """
 import os
-import random
 import signal
 import struct
 import subprocess
@@ -15,6 +14,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import depth
+from dice import dice  # noqa: F401  for the tests
 
 BINARY = str(Path(sys.argv.pop(1)).resolve())
 VECTORS = Path(__file__).resolve().parent.parent / "vectors"
@@ -27,19 +27,6 @@ for number in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP, signal.SIGTERM):
     if signal.getsignal(number) == signal.SIG_IGN:
         signal.signal(number, signal.SIG_DFL)
 signal.pthread_sigmask(signal.SIG_SETMASK, ())
-
-
-def dice(what):
-    """Random numbers, others in every run; NULLSCOPE_SEED=n repeats those of a run that has printed n."""
-    seed = int(os.environ.get("NULLSCOPE_SEED") or os.environ.get("NULLSCOPE_RUN") or random.SystemRandom().randrange(10 ** 6))
-    print(f"{what}: NULLSCOPE_SEED={seed}", flush=True)
-    return random.Random(seed)
-
-
-def processor_s(process):
-    """What a process that runs has spent, in ticks of a hundredth of a second."""
-    fields = Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 class Ran:

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 import support
-from machine import slowness  # after support, which finds it
+from machine import slowness, spent_s  # after support, which finds it
 from test_commands import png_size
 
 RAYS = "r,theta,phi,n_r,n_theta,n_phi\n" + "10,1.5,0,-1,0,0.1\n" * 5000
@@ -209,7 +209,7 @@ class Ends(support.CliTest):
         return sorted(p.name for p in self.folder.iterdir() if p.suffix != ".stamp")
 
     def end(self, process, number):
-        before = support.processor_s(process.pid)
+        before = spent_s(process.pid)
         process.send_signal(number)
         _, status, used = os.wait4(process.pid, 0)   # a hang ends with the test's own time limit
         process.returncode = os.waitstatus_to_exitcode(status)

@@ -17,7 +17,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from viewer_process import EVERYTHING, HUNG_S, Log, dice, slowness
+from viewer_process import EVERYTHING, HUNG_S, Log, dice, slowness, spent_s
 from x_screen import Screen, WindowCloser, missing_tools, wait_until
 
 MOMENTS = 30 if "NULLSCOPE_EVERYTHING" in os.environ else 4 if EVERYTHING else 2   # of each scene
@@ -26,13 +26,6 @@ MOMENTS = 30 if "NULLSCOPE_EVERYTHING" in os.environ else 4 if EVERYTHING else 2
 BOUND_S = 2 * 0.3
 # Until here: torus has its whole picture after some 6 s of processor time, accretion after some 1.7 s.
 LATEST_S = {"torus": 5.0, "accretion": 2.0}
-TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
-
-
-def spent(pid):
-    """Processor time, s, in ticks of a hundredth."""
-    fields = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) * TICK_S
 
 
 def close_at(program, scene, moment_s, screen, folder):
@@ -47,8 +40,8 @@ def close_at(program, scene, moment_s, screen, folder):
         found = lambda: subprocess.run(find, env=env, capture_output=True, text=True).stdout.split()
         window = wait_until("the window", found, HUNG_S, 0.005)
         rests = lambda: any(word == "rest" for word, _ in log.since())   # it may be done before the moment comes
-        wait_until("the moment", lambda: spent(process.pid) >= moment_s or rests(), HUNG_S, 0.002)
-        before, begun = spent(process.pid), time.monotonic()
+        wait_until("the moment", lambda: spent_s(process.pid) >= moment_s or rests(), HUNG_S, 0.002)
+        before, begun = spent_s(process.pid), time.monotonic()
         closer.close(int(window[0]))
         _, status, usage = os.wait4(process.pid, 0)     # a hang ends with the test's own time limit
         process.returncode = os.waitstatus_to_exitcode(status)

@@ -1,7 +1,6 @@
 """A running viewer, its hands and eyes: what the cases of drive_viewer.py are made of."""
 import contextlib
 import os
-import random
 import re
 import shutil
 import signal
@@ -14,10 +13,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import depth
+from dice import dice  # noqa: F401  for the cases
+from machine import slowness, spent_s  # noqa: F401  bounds on processor time are divided by the slowness
 from x_screen import wait_until
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from machine import slowness  # noqa: E402  bounds on processor time are divided by it
 
 # else a few cases are shorter
 EVERYTHING = depth.deep()
@@ -90,13 +88,6 @@ def keep_programs(folder):
     os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", MESA_SHADER_CACHE_DISABLE="false")
     if not caller_keeps:
         os.environ["MESA_SHADER_CACHE_DIR"] = str(folder / "shaders")
-
-
-def dice():
-    """Random numbers, others in every run; NULLSCOPE_SEED=n repeats those of a run that has printed n."""
-    seed = int(os.environ.get("NULLSCOPE_SEED") or os.environ.get("NULLSCOPE_RUN") or random.SystemRandom().randrange(10 ** 6))
-    print(f"    NULLSCOPE_SEED={seed}", flush=True)
-    return random.Random(seed)
 
 
 def same(one, other, what, allowed=NOISE):
@@ -256,9 +247,7 @@ class Viewer:
         return sum(r > 150 and 2 * g < 1.2 * r and b < g for r, g, b in zip(data[::3], data[1::3], data[2::3]))
 
     def spent(self):
-        """Processor time, s."""
-        fields = Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
-        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+        return spent_s(self.process.pid)
 
     def rests(self):
         """What was begun may take its time; then the processor is left alone."""
