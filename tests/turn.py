@@ -45,10 +45,10 @@ def git(*words):
 
 
 def base():
-    """The commit that set the turn before, or nothing where git does not say."""
+    """The commit before the one that set the turn, which is the first of a change; or nothing where git does not say."""
     try:
-        commits = [line for line in git("log", "--first-parent", "--format=%H", "--", ".ci/turn") if line]
-        return commits[1] if len(commits) > 1 else git("rev-parse", f"{commits[0]}^")[0]
+        set_by = git("log", "--first-parent", "--format=%H", "-1", "--", ".ci/turn")[0]
+        return git("rev-parse", f"{set_by}^")[0]
     except (OSError, IndexError, subprocess.CalledProcessError):
         return None
 
