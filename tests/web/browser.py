@@ -5,11 +5,16 @@ import http.server
 import itertools
 import json
 import os
+import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 import threading
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from machine import spent_with_children_s  # noqa: E402
 
 PROGRAMS = ["chromium-headless-shell", "chromium"]
 DRIVERS = {
@@ -184,6 +189,10 @@ class Browser:
         """code: as KeyboardEvent.code has it, "KeyW"."""
         name = code.removeprefix("Key").lower() if code.startswith("Key") else code
         self.page("Input.dispatchKeyEvent", type="keyDown" if down else "keyUp", code=code, key=more.pop("key", name), **more)
+
+    def spent_s(self):
+        """Processor time of the browser's processes so far, s."""
+        return spent_with_children_s(self.process.pid)
 
     def close(self):
         try:
