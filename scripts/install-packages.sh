@@ -15,8 +15,9 @@ package=(dpkg-dev file lintian patchelf)
 docs=(mkdocs)
 # scripts/test.sh --all: the Python package, films, man pages, and sequences on many machines
 all_tests=(python3-venv python3-dev ffmpeg man-db munge parallel slurm-client slurmctld slurmd)
-# scripts/web.sh: the browser's build; and the browser that tests it
-web=(clang-19 lld-19 libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc libgles-dev chromium-headless-shell)
+# scripts/web.sh: the browser's build; and the browsers that test it
+web=(clang-19 lld-19 libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc libgles-dev chromium-headless-shell firefox-esr
+     webkit2gtk-driver)
 checks=(clang libclang-rt-dev clang-format clang-tidy)   # scripts/check.sh
 # Other programs that tests compare with, where they exist (tests/proof/test_gyoto.py)
 peers=(gyoto-bin)
@@ -30,7 +31,8 @@ Installs the packages that nullscope needs by apt, if any are missing. Needs roo
   --quiet    say nothing unless something is missing or goes wrong
   --all      also what scripts/test.sh --all needs: Python's headers, ffmpeg, man, GNU parallel
              and Slurm, the sets of --docs and --package, and gyoto where it is offered
-  --web      also what scripts/web.sh and its tests need: clang for WebAssembly, Chromium without a window
+  --web      also what scripts/web.sh and its tests need: clang for WebAssembly, Chromium without a window,
+             Firefox and WebKitGTK
   --docs     also what scripts/docs.sh needs: mkdocs
   --package  also what packages are made with: dpkg-dev, file, lintian, patchelf
   --checks   also what scripts/check.sh needs: clang, clang-format and clang-tidy

@@ -7,15 +7,17 @@ They run at depth all (tests/support/depth.h), for which scripts/test.sh install
 import base64
 import json
 import pathlib
+import subprocess
 import sys
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = sorted(file.stem for file in (ROOT / "assets/scenes").glob("*.toml"))
 SKIPPED = 77
-sys.path.insert(0, str(ROOT / "tests"))
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests/viewer")]
 
 import depth  # noqa: E402
+from x_screen import read_png  # noqa: E402
 
 BEGIN = """
 (async () => {
@@ -92,6 +94,20 @@ class Engine:
 
 class WebTest(unittest.TestCase):
     page = programs = None   # paths
+
+    @classmethod
+    def native(cls, scene, size, folder):
+        """The picture that `nullscope capture` gives."""
+        file = f"{folder}/{scene}.png"
+        subprocess.run([cls.programs / "nullscope", "capture", scene, "--plain", "--size", "%dx%d" % size, "-o", file], check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        return read_png(file)
+
+    def differences(self, picture, wanted):
+        """Of a picture of an Engine from a native one: a number a pixel, the largest of its three colours', of 255."""
+        width, height, pixels = picture
+        self.assertEqual((width, height), (wanted.width, wanted.height))
+        return [max(abs(pixels[4 * i + c] - wanted.data[3 * i + c]) for c in range(3)) for i in range(width * height)]
 
 
 def begin():

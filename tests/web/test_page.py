@@ -255,7 +255,8 @@ class Wide(unittest.TestCase):
         page.click("#measure")
         page.wait("document.querySelector('#certificate').checkVisibility()", 240)
         text = page.text("#certificate")
-        self.assertRegex(text, r"largest error   0?\.?\d.* px")
+        self.assertRegex(text, r"largest error   \d[.\d]*(e-\d+)? px")
+        self.assertRegex(text, r"places          [1-9]")
         self.assertRegex(text, r"wrong fates     0\b")
         for part in ("SwiftShader", "Sky grid", "480 x 320", "every one", GRID):
             self.assertIn(part, text)
@@ -263,6 +264,16 @@ class Wide(unittest.TestCase):
         x, y = page.centre()
         page.drag([(x, y), (x + 5, y)])
         self.assertFalse(page.shown("#heat"))
+        page.click("#tab-settings")
+
+    def test_nothing_is_certified_where_all_is_black(self):
+        page = self.page
+        page.run(f"{VIEW}.set('camera.r', '1.046')")
+        page.click("#tab-proof")
+        page.click("#measure")
+        page.wait("/certifies no precision/.test(document.querySelector('#proof [role=status]').textContent)", 120)
+        self.assertFalse(page.shown("#certificate"))
+        self.assertNotIn("0 px", page.text("#proof .figures"))
         page.click("#tab-settings")
 
     def test_lost_context(self):

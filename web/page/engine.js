@@ -10,9 +10,10 @@ const SLOW_MS = 28, FAST_MS = 11; // a frame in motion: longer makes pixels larg
 const REST_MS = 250;           // without a hand: then the picture is drawn with all its pixels
 const ADAPTATION_S = 0.3;      // of automatic exposure
 const SHIPPED = "/assets/";    // paths of files that ship, as core.wasm names them
+const LOST = "the graphics device is gone for a moment";
 
 export class Engine {
-  // say(event, values): "drawn", "lost", "restored", "failed"
+  // say(event, values): "drawn", "rest" (the picture has all its pixels and rays, and nothing moves), "lost", "restored", "failed"
   constructor(say) {
     this.say = say;
     this.hand = { right: 0, up: 0, backward: 0, roll: 0 };
@@ -24,7 +25,7 @@ export class Engine {
     this.touched = -Infinity;
     this.fetching = new Map();
     this.absent = new Set();
-    this.waiting = [];
+    this.waiting = [];   // for the picture that is drawn next: { done, fail }
   }
 
   // canvas: HTMLCanvasElement or OffscreenCanvas. base: URL of the folder that has core.wasm and assets/.
@@ -98,9 +99,43 @@ export class Engine {
   }
   async #fetchOnce(path) {
     const response = await fetch(new URL(path.slice(1), this.base));
-    if (response.ok) this.core.call("put_file", path, await fileBytes(path, await response.blob()));
+    if (response.ok) this.core.call("put_file", path, await this.#fileBytes(path, await response.blob()));
     else this.absent.add(path);
     this.fetching.delete(path);
+  }
+  // Pictures are decoded by the browser; core.wasm reads what web/platform/images.cpp says. By a texture of this context, whose bindings stay: a
+  // 2D canvas would multiply colours by their alpha and back, and WebKit has no WebGL2 for a canvas that is not on the page.
+  async #fileBytes(path, blob) {
+    if (!/\.(png|jpe?g)$/i.test(path)) return new Uint8Array(await blob.arrayBuffer());
+    const bitmap = await createImageBitmap(blob, { colorSpaceConversion: "none", premultiplyAlpha: "none" });
+    const { width, height } = bitmap, gl = this.gl, largest = this.limits.largest;
+    if (Math.max(width, height) > largest)
+      throw new Failure(`${path.slice(SHIPPED.length)}: ${width} x ${height} px; this device takes images of at most ${largest} px`);
+    const bytes = new Uint8Array(13 + 4 * width * height), head = new DataView(bytes.buffer);
+    bytes.set([0x89, 0x52, 0x47, 0x42, 0x41]);
+    head.setUint32(5, width, true);
+    head.setUint32(9, height, true);
+    const before = [gl.TEXTURE_BINDING_2D, gl.DRAW_FRAMEBUFFER_BINDING, gl.READ_FRAMEBUFFER_BINDING, gl.PIXEL_UNPACK_BUFFER_BINDING,
+      gl.PIXEL_PACK_BUFFER_BINDING].map((what) => gl.getParameter(what));
+    const texture = gl.createTexture(), framebuffer = gl.createFramebuffer();
+    gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes.subarray(13));
+    gl.bindTexture(gl.TEXTURE_2D, before[0]);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, before[1]);
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, before[2]);
+    gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, before[3]);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, before[4]);
+    gl.deleteFramebuffer(framebuffer);
+    gl.deleteTexture(texture);
+    bitmap.close();
+    return bytes;
   }
   async set(key, value) {
     await this.#withFiles(() => this.core.call("set_key", key, value));
@@ -149,6 +184,8 @@ export class Engine {
   touch() {
     this.touched = performance.now();
     this.due = true;
+    this.rested = false;
+    this.failure = undefined;
     this.#wake();
     return true;
   }
@@ -161,14 +198,27 @@ export class Engine {
       try {
         await this.#turn();
       } catch (error) {
-        this.turning = false;
-        this.due = false;
-        this.say("failed", { message: error.message });
+        this.#fail(error);
         return;
       }
       if (this.turning) next(turn);
     };
     next(turn);
+  }
+
+  // What was shown belongs to another scene, or to nothing that is open: it goes, and who waits for a picture hears why there is none.
+  #fail(error) {
+    this.turning = this.due = false;
+    this.failure = error;
+    this.drawn = null;
+    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, null);
+    this.gl.clearColor(0, 0, 0, 1);
+    this.gl.clear(this.gl.COLOR_BUFFER_BIT);
+    this.#refuse(error);
+    this.say("failed", { message: error.message });
+  }
+  #refuse(error) {
+    for (const { fail } of this.waiting.splice(0)) fail(error);
   }
 
   async #turn() {
@@ -179,13 +229,16 @@ export class Engine {
     if (flies) this.core.exports.fly(right, up, backward, seconds);
     if (roll !== 0) this.core.exports.roll(roll * seconds);
     const moves = flies || roll !== 0 || Boolean(this.core.exports.step(seconds, this.clock));
-    if (moves) this.touched = now;
+    if (moves) this.touched = now, this.rested = false;
     const rests = now - this.touched > REST_MS;
     const quick = !this.fixed && (!this.everDrawn || !rests);
     const first = Math.min(1, Math.sqrt(FIRST_PIXELS / (this.size.width * this.size.height)));
     const scale = !quick ? 1 : this.everDrawn ? this.scale : first;
     if (this.due || moves || (rests && !this.#isWhole())) {
       await this.#draw(scale, quick, quick && this.everDrawn ? 1 - Math.exp(-seconds / ADAPTATION_S) : 1);
+    } else if (rests && !this.rested) {
+      this.rested = true;
+      this.say("rest", this.drawn);
     } else if (rests && !this.core.exports.build_next()) {
       this.turning = false;
     }
@@ -218,7 +271,7 @@ export class Engine {
     this.everDrawn = true;
     const place = [0, 1, 2, 3, 4].map((which) => this.core.exports.place(which));
     this.say("drawn", { width, height, ms, place, falls: Boolean(this.core.exports.falls()) });
-    for (const done of this.waiting.splice(0)) done();
+    for (const { done } of this.waiting.splice(0)) done();
   }
   // The next picture with all its pixels, as RGBA from the top.
   async picture() {
@@ -232,7 +285,9 @@ export class Engine {
   }
   async whole() {
     while (this.due || !this.#isWhole()) {
-      const drawn = new Promise((done) => this.waiting.push(done));
+      if (this.failure) throw this.failure;
+      if (!this.started) throw new Failure(this.gl.isContextLost() ? LOST : "no scene is open");
+      const drawn = new Promise((done, fail) => this.waiting.push({ done, fail }));
       this.#wake();
       await drawn;
     }
@@ -258,6 +313,7 @@ export class Engine {
     event.preventDefault();
     this.started = false;
     this.turning = false;
+    this.#refuse(new Failure(LOST));
     this.say("lost", {});
   }
   #restored() {
@@ -271,26 +327,3 @@ export class Engine {
   }
 }
 
-// Pictures are decoded by the browser; core.wasm reads what web/platform/images.cpp says.
-async function fileBytes(path, blob) {
-  if (!/\.(png|jpe?g)$/i.test(path)) return new Uint8Array(await blob.arrayBuffer());
-  const bitmap = await createImageBitmap(blob, { colorSpaceConversion: "none", premultiplyAlpha: "none" });
-  const { width, height } = bitmap;
-  const canvas = typeof OffscreenCanvas === "undefined" ? document.createElement("canvas") : new OffscreenCanvas(width, height);
-  const gl = canvas.getContext("webgl2");
-  const bytes = new Uint8Array(13 + 4 * width * height), head = new DataView(bytes.buffer);
-  bytes.set([0x89, 0x52, 0x47, 0x42, 0x41]);
-  head.setUint32(5, width, true);
-  head.setUint32(9, height, true);
-  // By a texture: a 2D canvas would multiply colours by their alpha and back.
-  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
-  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, gl.getParameter(gl.TEXTURE_BINDING_2D), 0);
-  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes.subarray(13));
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  bitmap.close();
-  return bytes;
-}

@@ -8,6 +8,14 @@ const MOST_PIXELS = 640 * 360;
 const count = (n) => n.toLocaleString("en").replaceAll(",", "\u202f");
 const px = (x) => (x === 0 ? "0 px" : x < 1e-4 ? `${x.toExponential(1)} px` : `${Number(x.toPrecision(2))} px`);
 
+// Rays that end on the sky or on something, both as the GPU and as the reference have them: where they end can be compared.
+const positions = ({ sky_px: sky, place_px: place }) => sky.count + place.count;
+// How long the rest takes, as people say it.
+function left({ measured, pixels, seconds }) {
+  const rest = (pixels - measured) * seconds / Math.max(measured, 1);
+  return rest < 90 ? `some ${Math.max(1, Math.round(rest))} s are left` : `some ${Math.round(rest / 60)} minutes are left`;
+}
+
 export class Proof {
   // scene(): { title, link } of what is shown, later.
   constructor(view, place, heat, scene) {
@@ -90,6 +98,10 @@ export class Proof {
       for (const part of [this.figures, this.toggle, this.legend]) part.hidden = false;
     }
     this.#figures(certificate);
+    if (!whole) this.#say(`The reference tracer is at work: ${left(certificate)}. What is known by now is below and over the picture.`);
+    if (whole && positions(certificate) === 0)
+      return this.#end("Every ray is traced again, and no place could be measured: what the picture shows here has none, as the black of a hole. "
+        + "This certifies no precision.");
     if (whole) {
       this.#end("Every pixel is measured.");
       this.text.textContent = this.#certificate(certificate);
@@ -97,15 +109,19 @@ export class Proof {
     }
     return undefined;
   }
-  #figures({ measured, pixels, fate_errors: wrong, sky_px: sky, place_px: place }) {
+  #figures(certificate) {
+    const { measured, pixels, fate_errors: wrong, sky_px: sky, place_px: place } = certificate, known = positions(certificate);
+    const error = (values) => (known === 0 ? "\u2013" : px(Math.max(...values)));
     const figures = [
-      ["Largest error", px(Math.max(sky.max, place.max))], ["99.9 % of pixels within", px(Math.max(sky.p999, place.p999))],
-      ["Wrong fates", count(wrong)], ["Pixels", measured === pixels ? count(pixels) : `${count(measured)} of ${count(pixels)}`],
+      ["Largest error", error([sky.max, place.max])], ["99.9 % of places within", error([sky.p999, place.p999])],
+      ["Places measured", count(known)], ["Wrong fates", count(wrong)],
+      ["Pixels", measured === pixels ? count(pixels) : `${count(measured)} of ${count(pixels)}`],
     ];
     this.figures.replaceChildren(...figures.map(([name, value]) =>
       make("div", {}, make("dt", { textContent: name }), make("dd", { textContent: value }))));
   }
-  #certificate({ pixels, fate_errors: wrong, forgiven, sky_px: sky, place_px: place, seconds }) {
+  #certificate(certificate) {
+    const { pixels, fate_errors: wrong, forgiven, sky_px: sky, place_px: place, seconds } = certificate;
     const { title, link, device, browser, width, height, date } = this.about;
     const spread = (name, { max, p999, count: n }) =>
       n > 0 ? [`${name.padEnd(16)}largest error ${px(max)}, 99.9 % within ${px(p999)}, ${count(n)} pixels`] : [];
@@ -115,6 +131,7 @@ export class Proof {
       `99.9 % within   ${px(Math.max(sky.p999, place.p999))}`,
       `wrong fates     ${count(wrong)}${forgiven > 0 ? `, and ${count(forgiven)} within 0.01 px of an edge` : ""}`,
       `pixels          ${count(pixels)}, every one`,
+      `places          ${count(positions(certificate))}: rays that end on the sky, the disc or a body`,
       ...spread("sky", sky), ...spread("disc, bodies", place),
       `device          ${device}`, `browser         ${browser}`, `scene           ${title}`, `size            ${width} x ${height}`,
       `date            ${date.toISOString().slice(0, 16).replace("T", " ")} UTC, ${Math.round(seconds)} s`, `view            ${link}`,

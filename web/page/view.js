@@ -10,7 +10,6 @@ const WHEEL_RATE = 12;                          // 1/s: how fast the wheel's not
 const ROLL_PACE = 0.8;                          // rad/s of Q and E
 const ROLL_RADIUS = 12;                         // px about the middle where the pointer's angle says nothing
 const ARROW_STEP = 0.05;                        // of the picture's height
-const REST_MS = 400;
 const FLIGHT = {
   KeyD: ["right", 1], KeyA: ["right", -1], Space: ["up", 1], KeyC: ["up", -1], KeyS: ["backward", 1], KeyW: ["backward", -1],
   KeyE: ["roll", ROLL_PACE], KeyQ: ["roll", -ROLL_PACE],
@@ -47,13 +46,16 @@ class InWorker {
     };
     this.worker.onerror = (event) => {
       event.preventDefault();
-      for (const { fail } of this.waiting.values()) fail(new Error(event.message || "the program could not be loaded"));
+      this.failure = new Error(event.message || "the program could not be loaded");
+      for (const { fail } of this.waiting.values()) fail(this.failure);
+      this.waiting.clear();
     };
   }
   ask(call, values, transfer = []) {
     return new Promise((done, fail) => {
+      if (this.failure) return fail(this.failure);
       this.waiting.set(++this.last, { done, fail });
-      this.worker.postMessage({ id: this.last, call, values }, transfer);
+      return this.worker.postMessage({ id: this.last, call, values }, transfer);
     });
   }
   tell(call, values) {
@@ -208,8 +210,6 @@ export class NullscopeView extends HTMLElement {
     if (event === "drawn") {
       this.drawn = values;
       this.message.hidden = true;
-      clearTimeout(this.resting);
-      this.resting = setTimeout(() => this.#event("rest", this.drawn), REST_MS);
     }
     if (event === "lost") this.#say("The graphics device is gone for a moment. The picture comes back by itself.");
     if (event === "failed") this.#say(plain(values.message));
