@@ -11,6 +11,7 @@ namespace {
 constexpr double kStep = 1.01;   // of r, between two looks at A
 constexpr int kSamples = 2000;   // at the slope of V
 constexpr double kSame = 1e-12;  // B A and R/r that are 1 for every r: some roundings of what formulas subtract
+constexpr double kFallsOff = 4;  // of A, at a tenth of the distance from its zero: 10 if that is simple
 constexpr double kUnit = 1e-12;  // and their limits at infinity
 
 Error wrong(std::string_view key, const std::string& what, std::string_view allowed) {
@@ -51,6 +52,19 @@ Status check_far(const MetricFormulas& f, const Expansion& v_far, const Expansio
     return Done{};
 }
 
+// A passes through 0 at this zeta, as against coming down to where doubles or their differences end: above and below it A falls off
+// with the distance, at some distance from it; two horizons may lie close together.
+bool passes(const MetricFormulas& f, double zeta) {
+    const auto falls_off = [&](double sign, double apart) {
+        const double far = f.lapse2(1.0 / (zeta * (1.0 - sign * apart))) * sign;
+        const double near = f.lapse2(1.0 / (zeta * (1.0 - sign * 0.1 * apart))) * sign;
+        return near > 0.0 && far > kFallsOff * near;
+    };
+    for (double apart = 1e-3; apart > 1e-10; apart *= 0.1)
+        if (falls_off(1.0, apart) && falls_off(-1.0, apart)) return true;
+    return false;
+}
+
 // A from far out inward: where static observers are, between horizons.
 Status find_horizons(const MetricFormulas& f, FormulaPlaces& places) {
     const auto lapse2 = [&](double zeta) { return f.lapse2(1.0 / zeta); };
@@ -67,7 +81,12 @@ Status find_horizons(const MetricFormulas& f, FormulaPlaces& places) {
         if ((a > 0.0) == rests) continue;
         if (rests) {
             places.horizon = divide(before, zeta, above);
-            return Done{};
+            if (passes(f, places.horizon)) return Done{};
+            return wrong(
+                "A",
+                fmt::format("comes down to 0 at r = {:.6g} without passing through it, within the precision of doubles",
+                            1.0 / places.horizon),
+                kHole);
         }
         places.outer_horizon = divide(zeta, before, above);
         rests = true;
