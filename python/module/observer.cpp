@@ -61,7 +61,7 @@ auto places(const Worldline& line, const nb::object& given) {
             throw Refused(bad_key(fmt::format("tau[{}]", i), fmt::format("{} is out of range", tau),
                                   fmt::format("[0, {:.17g}]", line.last())));
         const CameraSpec camera = line.at(tau);
-        values.insert(values.end(), {tau, line.clock(tau), camera.r, camera.theta, camera.phi});
+        values.insert(values.end(), {tau, line.clock(tau), camera.r, camera.theta, line.azimuth(tau)});
     }
     return array_of(std::move(values), {times.shape(0), kPlaceColumns});
 }
@@ -101,7 +101,10 @@ void add_observer(nb::module_& m) {
         .def_prop_ro("horizon_time", &Worldline::horizon_time, "Proper time at the outer horizon, r_s/c, or None.")
         .def_prop_ro("energy", &Worldline::energy, "Per rest mass.")
         .def("places", places, nb::arg("tau").none(),
-             "At proper times tau, shape (n,): shape (n, 5), columns tau, time (r_s/c), r (r_s), theta, phi (rad).");
+             "At proper times tau, shape (n,): shape (n, 5), columns tau, time (r_s/c), r (r_s), theta, phi (rad). phi "
+             "keeps whole turns. About a hole, time is v - r of ingoing coordinates, 0 at the start of one who falls, "
+             "and "
+             "phi about a rotating one their azimuth: both finite at the horizon. Where there is no hole, time is t.");
     nb::class_<Someone>(m, "Observer",
                         "The observer who holds a scene's camera; nullscope.Observer(scene) makes it. Lengths in r_s, "
                         "times in r_s/c, angles in rad; None where there is no such thing.")

@@ -104,7 +104,9 @@ def deflection(spacetime: "_core.Spacetime | SceneLike", impact: np.ndarray | fl
 def worldline(scene: SceneLike, duration: float, steps: int = 200) -> np.ndarray:
     """A scene's camera in free fall, at `steps` + 1 equal proper times from 0 to `duration` (r_s/c) or its end.
 
-    Returns a structured array, shape (steps + 1,): tau, time (r_s/c), r (r_s), theta, phi (rad). Observer.fall() has more.
+    Returns a structured array, shape (steps + 1,): tau, time (r_s/c), r (r_s), theta, phi (rad). phi keeps whole turns: it is continuous.
+    About a hole, time is v - r of ingoing coordinates and phi, if it rotates, their azimuth, which stay finite at the horizon; where there is
+    no hole, time is t. Observer.fall() has more.
     """
     if not isinstance(steps, int) or not 1 <= steps <= 10_000_000:
         raise _core.Error(f"steps: {steps} is out of range; allowed: [1, 10000000]")

@@ -17,6 +17,7 @@ constexpr double kTolerance = 1e-13;  // of a step, relative to what it acts on
 constexpr double kNearest = 5e-4;     // r_s: the last picture before the singularity, 7e-6 r_s/c before the end
 // c: a boost that is rounding alone calls for no aberration, and turns directions by less than any pixel.
 constexpr double kStill = 1e-11;
+constexpr double kOverThePoles = 1e-9;  // cosine of an orbit's inclination: an azimuth then jumps and does not turn
 constexpr std::size_t kMostNodes = 1000000;
 
 double square(double x) { return x * x; }
@@ -209,6 +210,15 @@ Worldline::State Worldline::state_at(double tau) const {
 }
 
 double Worldline::clock(double tau) const { return spun_ ? spun_->clock(tau) : ahead_ + state_at(tau)[kClock]; }
+
+// The angle along the orbit and the azimuth are at the same quarter of a turn from the node at any time.
+double Worldline::azimuth(double tau) const {
+    if (spun_) return spun_->at(0).phi + spun_->azimuth(tau);
+    const double along = state_at(tau)[2], up = normal_.z;
+    const Vec3 place = std::cos(along) * outward_ + std::sin(along) * onward_;
+    const double near = start_.phi + (std::fabs(up) > kOverThePoles ? std::copysign(along, up) : 0.0);
+    return near + std::remainder(std::atan2(place.y, place.x) - near, 2 * M_PI);
+}
 
 CameraSpec Worldline::at(double tau) const {
     if (spun_) return spun_->at(tau);

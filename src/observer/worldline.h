@@ -32,6 +32,9 @@ public:
     // The camera at a proper time from 0 to last(): observer, velocity, place and turn; the rest as it was at the start. Rotations of the
     // start's own are kept by the axes. A microsecond.
     CameraSpec at(double tau) const;
+    // phi of the camera at() with whole turns kept, rad: continuous in tau, at 0 at(0).phi. About a rotating hole it is ingoing, of v - r, whose
+    // phi is ahead of a start that does not fall.
+    double azimuth(double tau) const;
     // Proper time of the last picture: at the end short of the singularity by 1e-5 r_s/c.
     double last() const { return last_; }
     WorldlineEnd end() const { return end_; }

@@ -156,6 +156,16 @@ class Numbers(Test):
         places = ns.worldline({"camera": {"r": 6.0, "observer": "orbit", "theta": 90.0}}, 30.0, 3)
         self.assertLess(abs(places["r"] - 6.0).max(), 1e-9)
 
+    def test_worldlines_keep_their_turns(self):
+        for metric in ({"metric": "kerr", "spin": 0.9}, {"metric": "schwarzschild"}):
+            camera = {"r": 6.0, "observer": "orbit", "theta": 60.0, "phi": 170.0}
+            phi = ns.worldline({"spacetime": metric, "camera": camera}, 600.0, 3000)["phi"]
+            self.assertAlmostEqual(phi[0], np.radians(170.0), delta=0.2)   # ingoing about a rotating hole
+            self.assertLess(abs(np.diff(phi)).max(), 0.1)   # no jump
+            self.assertGreater(abs(phi[-1] - phi[0]), 4 * np.pi)
+            few = ns.worldline({"spacetime": metric, "camera": camera}, 600.0, 3)["phi"]
+            self.assertLess(abs(few - phi[::1000]).max(), 1e-9)   # however few the times
+
 
 def errors():
     """Calls with something wrong, of every function."""

@@ -46,6 +46,29 @@ TEST_CASE("worldline: proper times of falls") {
     CHECK(std::fabs(*long_rain->horizon_time() / kMass - 13.5737865166653) < kPromised);
 }
 
+TEST_CASE("worldline: the azimuth keeps whole turns, however an orbit lies") {
+    const auto hole = spacetime_of("schwarzschild"), spun = spacetime_of("kerr", {{"spin", 0.9}});
+    // Along e_r, e_theta, e_phi; on a circle r = 5 at rest's speed 1/sqrt(2 (r - 1)): 41.6 r_s/c of proper time a turn and more.
+    const double pace = std::sqrt(0.125);
+    for (const double tilt : {0.0, 0.9, M_PI / 2 - 1e-3, M_PI / 2 + 1e-3, M_PI}) {
+        CameraSpec start = camera_at(5.0, ObserverKind::kStatic, {0, pace * std::sin(tilt), pace * std::cos(tilt)});
+        start.theta = M_PI / 2;
+        const auto line = Worldline::make(hole, start, 1000);
+        REQUIRE(line);
+        const double turns = 1000 * pace / std::sqrt(0.875) / 5.0 / (2 * M_PI), sense = tilt < M_PI / 2 ? 1 : -1;
+        CHECK(line->azimuth(0) == doctest::Approx(start.phi).epsilon(1e-14));
+        CHECK(std::fabs(line->azimuth(1000) - start.phi - sense * turns * 2 * M_PI) < M_PI / 2 + 1e-9);
+        for (double tau = 0; tau <= 1000; tau += 31)
+            CHECK(std::fabs(std::remainder(line->azimuth(tau) - line->at(tau).phi, 2 * M_PI)) < 1e-12);
+    }
+    CameraSpec over_the_poles = camera_at(5.0, ObserverKind::kStatic, {0, pace, 0});
+    CHECK(std::fabs(Worldline::make(hole, over_the_poles, 1000)->azimuth(1000) - over_the_poles.phi) < M_PI + 1e-9);
+    const auto orbit = Worldline::make(spun, camera_at(5.0, ObserverKind::kOrbit), 1000);
+    REQUIRE(orbit);
+    CHECK(orbit->azimuth(1000) > 20 * M_PI);
+    CHECK(std::fabs(std::remainder(orbit->azimuth(777) - orbit->at(777).phi, 2 * M_PI)) < 1e-9);
+}
+
 TEST_CASE("worldline: the clock of what falls is v - r, through the horizon, and of what was at rest t before") {
     constexpr double kPromised = 1e-10;  // r_s/c
     const auto hole = spacetime_of("schwarzschild");
