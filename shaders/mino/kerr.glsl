@@ -88,6 +88,14 @@ float spin_winding(SpinRay ray, float zeta) {
     return frame.spin_turn.y * log(max(1.0 - ray.inner * zeta, 1.0e-12) / max(1.0 - ray.outer * zeta, 1.0e-12));
 }
 
+#ifdef NEEDS_FINE_AZIMUTH
+// On the way inward, at zeta inside a step.
+float spin_inward_turning(SpinRay ray, float zeta) {
+    float x = spin_x(ray, zeta);
+    return spin_regular_drag(ray, zeta, sqrt(max(x * x - spin_delta(ray, zeta) * ray.k * zeta * zeta, 0.0)));
+}
+#endif
+
 #ifdef EFFECT_SPIN_FALL
 float ingoing_speed2(SpinRay ray, float zeta, float x) { return x * x - spin_delta(ray, zeta) * ray.k * zeta * zeta; }
 

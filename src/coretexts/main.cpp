@@ -52,6 +52,7 @@ std::vector<Variant> variants(const std::string& block) {
         for (const bool falling : {false, true}) {
             all.push_back({ring ? "rotating_ring" : "rotating", always, "mino"});
             std::vector<std::string>& defines = all.back().defines;
+            defines.emplace_back("NEEDS_FINE_AZIMUTH");
             if (ring) defines.insert(defines.end(), {"EFFECT_SPIN_RING", "EFFECT_ZOOM"});  // no zoom: it adds 0
             if (falling) all.back().name += "_falling", defines.emplace_back("EFFECT_SPIN_FALL");
             all.push_back(all.back());

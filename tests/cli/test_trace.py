@@ -24,6 +24,8 @@ FRONTIER_RAD = {"core64": 5e-8, "core32": 3e-7, "gl": 3e-7}
 AZIMUTH_RAD = 2e-6
 # Of rays about a rotating hole from 500 r_s (docs/ray-data.md, which tracer to take): measured 5.3e-7 in the median, 7.5e-6 at most of r,
 # the step's truncation.
+# rad, and of a crossing's radius: Boyer and Lindquist's azimuth winds up by a/Delta dr next to the horizon.
+SPIN_AZIMUTH, SPIN_R = 1e-5, 2.5e-6
 FAR_KERR, FAR_KERR_MOST = 1e-6, 1.5e-5
 # Of g at a disc: u^t and the photon's constants are double, the crossing's radius and how fast the ray climbs there are floats.
 SHIFT = 5e-6
@@ -464,6 +466,32 @@ class ShaderText(TraceTest):
         self.refused("trace", scene, "--rays", "rain.csv", says=["frame", "rotating"])
         self.write("q.csv", "q,zeta0,s\n0.5,0.1,1\n")
         self.refused("trace", scene, "--rays", "q.csv", says=["q", "rotating"])
+
+    def test_azimuths_next_to_a_spinning_horizon(self):
+        """They wind up there: what is left is the error of the radius over the distance from the horizon."""
+        chance = support.dice()
+        for spin in (0.5, 0.9, 0.99):
+            scene = self.write("kerr.toml", f'[spacetime]\nmetric = "kerr"\nspin = {spin}\n')
+            root, reach = math.sqrt(1 - spin * spin), 500.0
+            outer, inner = 0.5 * (1 + root), 0.5 * (1 - root)
+            lines = ["r,theta,phi,n_r,n_theta,n_phi"]
+            for _ in range(3000):   # towards a square of 5 r_s about the hole
+                x, y = chance.uniform(-2.5, 2.5) / reach, chance.uniform(-2.5, 2.5) / reach
+                length = math.sqrt(1 + x * x + y * y)
+                lines.append(f"{reach},{chance.uniform(0.3, 1.4)},0,{-1 / length},{y / length},{x / length}")
+            text = "\n".join(lines) + "\n"
+            exact = self.trace(text, "--crossings", "1", scene=scene)
+            for tracer in self.tracers():
+                worst, near = 0.0, 0
+                for row, right in zip(self.trace(text, "--with", tracer, "--crossings", "1", scene=scene), exact):
+                    if row["r_1"] and right["r_1"]:
+                        r = number(right["r_1"])
+                        winds = 0.5 * spin * r / ((r - outer) * (r - inner))
+                        error = abs(math.remainder(number(row["phi_1"]) - number(right["phi_1"]), 2 * math.pi))
+                        worst, near = max(worst, error / (SPIN_AZIMUTH + SPIN_R * winds)), near + (r < 1.1 * outer)
+                self.assertGreater(near, 20)
+                self.report(f"a = {spin}, {tracer}: {near} crossings within a tenth of the horizon, phi within {worst:.2g} of its bound")
+                self.assertLess(worst, 1.0)
 
     def test_bench_rays_judges_every_tracer(self):
         self.contexts()
