@@ -14,6 +14,8 @@ namespace nullscope {
 namespace {
 
 constexpr double kLeastMinoFrequency = 1e-6;  // as the shaders have it
+// Where single precision no longer holds what README promises: docs/accuracy.md, "Fast cameras next to a rotating horizon".
+constexpr double kNearHorizons = 1.25, kFast = 0.7;  // horizon's radii, c
 
 }  // namespace
 
@@ -86,6 +88,16 @@ Status MinoPath::check(const Method& method, const FramePlan& plan) const {
     return bad_input(fmt::format("method {} does not work for this scene with a rotating hole", method_name(method)),
                      "auto, mino[:6[:STEP]], or without [disc], bodies, delays and falling cameras mino:4[:STEP] and "
                      "kerr-schild:STEP");
+}
+
+std::string_view MinoPath::word(const FramePlan& plan) const {
+    const Observer& observer = plan.observer;
+    const bool fast = std::fmax(length(observer.velocity), std::fabs(observer.azimuthal_velocity)) > kFast;
+    const double horizons = plan.scene.camera.r / metric_->outer_horizon();
+    if (!fast || falls(plan.scene.camera) || horizons <= 1.0 || horizons > kNearHorizons) return {};
+    return "the camera is fast and next to a rotating horizon: rays may be off by some pixels of a 4K frame "
+           "(docs/accuracy.md, \"Fast cameras next "
+           "to a rotating horizon\"); --renderer reference is exact";
 }
 
 }  // namespace nullscope

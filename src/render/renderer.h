@@ -163,6 +163,7 @@ private:
     gl::Info info_;
     int largest_picture_;
     std::vector<std::string> notes_;
+    std::string_view told_;  // LightPath::word() of the frame before
     gl::VertexArray empty_;
     UniformBlocks blocks_;
     std::map<ProgramKey, gl::Program> programs_;

@@ -203,6 +203,14 @@ class Commands(support.CliTest):
         comments = [line for line in lines if line.startswith("# ")]
         return out, comments, [{key: float(value) for key, value in row.items()} for row in csv.DictReader(lines[len(comments):])]
 
+    def test_a_fast_camera_next_to_a_horizon_is_told(self):
+        near = '[spacetime]\nmetric = "kerr"\nspin = 0.9\n[camera]\nr = 0.75\nobserver = "zamo"\nvelocity = [0, 0, {}]\n[sky]\nkind = "grid"\n'
+        for speed, told in ((0.9, True), (0.1, False)):
+            scene = self.folder / "near.toml"
+            scene.write_text(near.format(speed))
+            ran = self.run_nullscope("capture", str(scene), "--size", "16x9", "-o", str(self.folder / "near.png"))
+            self.assertEqual("fast and next to a rotating horizon" in ran.err, told, ran.err)
+
     def test_spectrum_of_a_disc(self):
         before = os.times()
         out, comments, rows = self.spectrum("--spin", "0.998", "--inclination", "30", "--limb", "laor", "--line", "6.4")
