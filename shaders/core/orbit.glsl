@@ -10,7 +10,7 @@
 #ifndef __cplusplus
 // With delays the map's texels lie beside theirs (table/orbit_table.h).
 uniform highp sampler2D orbit_texture;
-#ifdef EFFECT_DELAY
+#ifdef EFFECT_LIGHT_TIMES
 vec4 orbit_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x, y), 0); }
 vec4 delay_fetch(int x, int y) { return texelFetch(orbit_texture, ivec2(2 * x + 1, y), 0); }
 #else

@@ -43,7 +43,7 @@ DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
 int disc_walk_order(DiscWalk walk, DiscCrossing crossing) { return int(crossing.number) - 1; }
 #endif
 
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
 float disc_delay(Trace trace, DiscCrossing crossing) { return crossing.delay; }
 #endif
 

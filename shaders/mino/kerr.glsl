@@ -46,7 +46,7 @@ struct SpinState {
 #endif
     float psi;
     float drag;
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     float travel_time;        // T: v at the camera less v here
 #endif
 #ifdef EFFECT_SPIN_FALL
@@ -121,7 +121,7 @@ float spin_turning(SpinRay ray, SpinState from, float zeta) { return spin_drag(r
 float spin_turning_at(SpinRay ray, SpinState at) { return spin_drag(ray, at.y.w); }
 #endif
 
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
 // How long light takes. With X (spin_x) of the photon, delta = Delta zeta^2 and |zeta'|^2 = X^2 - delta zeta^2 K the time t from the camera
 // has, along the ray inward or outward, t' = D' -+ r_*', and T = v_cam - v, v = t + r_*, grows by
 //     D' = (1 + a^2 zeta^2) K/(X + |zeta'|) + a (L - a E (1 - n_z^2))

@@ -33,6 +33,9 @@ RayPlace medium_place(SpinRay ray, SpinSegment segment, float s) {
     place.outward = vec3(y.x, y.y, y.z);
     place.at = place.r * place.outward;
     place.velocity = place.r * (vec3(slope.x, slope.y, slope.z) - (slope.w * place.r) * place.outward);
+#ifdef NEEDS_PLACE_TIME
+    place.light_time = 0.0;
+#endif
 #ifdef NEEDS_PLACE_LATE
     place.delay = 0.0;
 #ifdef EFFECT_DELAY

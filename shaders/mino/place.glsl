@@ -10,7 +10,10 @@ struct RayPlace {
     vec3 velocity;    // d(at)/ds, s the fraction of the step
     float r;
 #ifdef NEEDS_PLACE_LATE
-    float delay;       // how long ago the light left that arrives now
+    float delay;       // how long ago the light left that is seen now; 0 where things are seen at once
+#endif
+#ifdef NEEDS_PLACE_TIME
+    float light_time;  // that light took, whenever what it left is seen
 #endif
 };
 
@@ -33,6 +36,9 @@ RayPlace segment_place(SpinRay ray, SpinSegment segment, float s) {
     turning = ray.outer * zeta < 1.0 ? turning : 0.0;
     place.velocity = place.r * (place_turned(vec3(slope.x, slope.y, slope.z), c, t) + turning * vec3(-place.outward.y, place.outward.x, 0.0) -
                                 (slope.w * place.r) * place.outward);
+#ifdef NEEDS_PLACE_TIME
+    place.light_time = segment_delay(ray, segment, s, vec4(y.x, y.y, y.z, zeta));
+#endif
 #ifdef NEEDS_PLACE_LATE
 #ifdef EFFECT_DELAY
     place.delay = segment_delay(ray, segment, s, vec4(y.x, y.y, y.z, zeta));

@@ -76,7 +76,7 @@ SpinState spin_start(SpinRay ray, vec3 n) {
 #endif
     at.f = spin_force(ray, at.y, 0.0);
     at.psi = 0.0;
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     at.travel_time = 0.0;
 #endif
 #ifdef EFFECT_SPIN_FALL

@@ -75,7 +75,7 @@ struct SpinSegment {
     float psi;        // at its start
     SpinSum turn;
     float winding;    // 1 where psi belongs to the ingoing azimuth, -1 where phi winds up towards the past horizon
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     bool keeps;
     float travel_time;
     vec2 start;       // zeta, zeta'
@@ -106,7 +106,7 @@ SpinSegment spin_segment(SpinRay ray, SpinState from, SpinState to, float h) {
 #ifdef EFFECT_SPIN_FALL
     segment.winding = from.ingoing ? 1.0 : segment.winding;
 #endif
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     segment.keeps = travel_time_keeps(ray, from, to.y, to.v.w);
     segment.travel_time = from.travel_time;
     segment.start = vec2(from.y.w, from.v.w);
@@ -124,7 +124,7 @@ float segment_turned(SpinRay ray, SpinSegment segment, float s, vec4 y) {
 // psi at its end: where phi winds up better than the step itself has it, for places next to the horizon.
 float segment_psi(SpinRay ray, SpinSegment segment, SpinState to) { return segment.winding < 0.0 ? segment_turned(ray, segment, 1.0, to.y) : to.psi; }
 
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
 // How long ago, by the camera's clock, the light left.
 float segment_delay(SpinRay ray, SpinSegment segment, float s, vec4 y) {
     float climb = spin_slope_at(segment.arc, s).w / segment.h;
@@ -148,7 +148,7 @@ struct DiscCrossing {
 #ifdef SLOT_DISC_LIGHT
     float rise;       // |d n_z / d tau| = |p_theta| there, the root of Carter's constant
 #endif
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     float delay;       // how long ago, by the camera's clock, the light left
 #endif
 };
@@ -166,7 +166,7 @@ DiscCrossing no_crossing() {
 #ifdef SLOT_DISC_LIGHT
     none.rise = 0.0;
 #endif
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     none.delay = 0.0;
 #endif
     return none;
@@ -201,7 +201,7 @@ DiscCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h, f
 #ifdef SLOT_DISC_LIGHT
     crossing.rise = abs(spin_slope_at(segment.arc, s).z / h);
 #endif
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     crossing.delay = segment_delay(ray, segment, s, at);
 #endif
     return crossing;

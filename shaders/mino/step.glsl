@@ -83,7 +83,7 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
     to.v.w = from.ingoing && to.v.w < 0.0 && speed2 > INGOING_SLOW * x * x ? -sqrt(speed2) : to.v.w;
 #endif
     to.drag = spin_turning_at(ray, to);
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     bool keeps = travel_time_keeps(ray, from, to.y, to.v.w);
     to.travel_time = from.travel_time + travel_time_jump(ray, keeps, vec2(from.y.w, from.v.w), vec2(to.y.w, to.v.w)) +
              h * (travel_time_rate(ray, keeps, from.y) * (151.0 / 2142.0) + travel_time_rate(ray, keeps, y1) * (25.0 / 522.0) + travel_time_rate(ray, keeps, y2) * (275.0 / 684.0) +
@@ -146,7 +146,7 @@ SpinState spin_to_sky(SpinRay ray, SpinState beyond) {
     float rest = -at.y.w / min(at.v.w, -1.0e-20);
     at.y += rest * (at.v + 0.5 * rest * at.f);
     at.psi += rest * at.drag;
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     at.travel_time += rest * travel_time_rate(ray, true, at.y);
 #endif
     return at;

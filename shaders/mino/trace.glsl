@@ -45,7 +45,7 @@ struct Trace {
     PixelSides sky_sides; // and the same to the right and upward
 #endif
     int steps;
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     float travel_time;            // T, of a ray that escapes
 #endif
     float momentum;       // of the photon over its frequency in the observer's frame
@@ -191,7 +191,7 @@ Trace trace_pixel(vec2 pixel) {
 #ifdef EFFECT_DISC
                 number += frame.ring.z;
 #endif
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
                 now.travel_time += frame.ring.y;
 #endif
             }
@@ -282,7 +282,7 @@ Trace trace_pixel(vec2 pixel) {
 #endif
 #endif
     SpinState sky = spin_to_sky(ray, now);
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     trace.travel_time = sky.travel_time;
 #endif
     vec2 turn = sine_cosine(sky.psi);

@@ -1,5 +1,5 @@
 // The disc, as every kind of path meets it: its crossings one after another, the delay of their light, and what frequency it has.
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
 #include "planar/delay.glsl"
 #endif
 #include "planar/disc_crossing.glsl"
@@ -92,7 +92,7 @@ int disc_walk_order(DiscWalk walk, DiscCrossing crossing) { return walk.number; 
 // Crossing `number`, where it is known to be within the disc.
 DiscCrossing disc_crossing_within(Trace trace, int number) { return disc_cross(trace, disc_meeting(trace), number, 0.0); }
 
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
 // How long ago, by the camera's clock, the light left.
 float disc_delay(Trace trace, DiscCrossing crossing) { return light_time(trace, crossing.phi, crossing.r, crossing.zeta_slope); }
 #endif

@@ -14,7 +14,7 @@ RayPlace medium_at(Trace trace, vec3 tangent, float along) { return place_of(tra
 // When light left, of a place; and of the next one, from this: the light-time table is asked once a span.
 RayPlace medium_late(Trace trace, RayPlace place, float along) {
 #ifdef EFFECT_DELAY
-    place.delay = light_time(trace, along, place.r, -place.r_along / (place.r * place.r));
+    place.delay = place_light_time(trace, place, along);
     place.time_slope = place_time_slope(trace, place);
 #endif
     return place;

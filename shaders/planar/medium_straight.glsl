@@ -22,8 +22,9 @@ RayPlace medium_at(Trace trace, vec3 tangent, float along) {
     place.r_across = 0.0;
     place.onward = (direction - place.r_along * place.outward) / place.r;
 #ifdef NEEDS_PLACE_LATE
-    place.delay = along;
+    place.delay = 0.0;
 #ifdef EFFECT_DELAY
+    place.delay = along;
     place.time_slope = vec2(0.0);
     place.doubt = 0.0;
 #endif

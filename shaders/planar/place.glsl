@@ -1,6 +1,6 @@
 // Where a ray is after a swept angle, in flat coordinates about the centre: for solid bodies. Of a wormhole, those of one side.
 #include "core/trig.glsl"
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
 #include "planar/delay.glsl"
 #endif
 #ifdef EFFECT_LENSING
@@ -21,7 +21,7 @@ struct RayPlace {
     float pixel;      // place_pixel
 #endif
 #ifdef NEEDS_PLACE_LATE
-    float delay;       // how long ago the light left that arrives now; not of place_of
+    float delay;       // how long ago the light left that is seen now; 0 where things are seen at once; not of place_of
 #ifdef EFFECT_DELAY
     vec2 time_slope;   // place_time_slope; as that
     float doubt;       // how far from the light-time table's that may be
@@ -143,12 +143,19 @@ RayPlace place_beside(Trace trace, vec3 tangent, float phi, RayPlace from, float
 #endif
 #endif
 
+#ifdef NEEDS_LIGHT_TIMES
+// How long light took from a place after the swept angle phi, whenever what it left is seen.
+float place_light_time(Trace trace, RayPlace place, float phi) {
+    return light_time(trace, phi, place.r, -place.r_along / (place.r * place.r));
+}
+#endif
+
 // place_of with its time.
 RayPlace place_seen(Trace trace, vec3 tangent, float phi) {
     RayPlace place = place_of(trace, tangent, phi);
 #ifdef NEEDS_PLACE_LATE
 #ifdef EFFECT_DELAY
-    place.delay = light_time(trace, phi, place.r, -place.r_along / (place.r * place.r));
+    place.delay = place_light_time(trace, place, phi);
     place.time_slope = place_time_slope(trace, place);
 #endif
 #endif

@@ -86,7 +86,7 @@ struct FrameData {
     vec4 sky_pattern_colour;
     vec4 sky_pattern_second;
 #endif
-#ifdef BLOCK_DELAY
+#ifdef BLOCK_LIGHT_TIMES
     vec4 delay;        // x, y of A = (1 - x zeta)(1 - y zeta); the camera's part of light times, of rays to the sky and of others (planar/delay.glsl)
 #endif
 #ifdef BLOCK_DISC_FLOW

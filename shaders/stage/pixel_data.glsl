@@ -8,7 +8,7 @@
 #ifdef EFFECT_DISC
 #include "path/disc"
 #endif
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
 #include "path/delay"
 #endif
 #include "core/view.glsl"
@@ -19,7 +19,7 @@ struct PixelData {
     float fate;     // 0 escaped, 1 captured, 2 other side, 3 none, 4 hit (scene/ray.h)
     vec3 sky;       // unit direction on the celestial sphere; zero unless the ray ends on a sky; of a star, the place hit
     float g;        // frequency in the camera over frequency at infinity; 0 unless escaped
-    float delay;    // T of an escaped ray; from where an opaque object is hit, the light time; 0 without EFFECT_DELAY
+    float delay;    // T of an escaped ray; from where an opaque object is hit, the light time; 0 without light times
     float angle;    // swept from the camera to the end
     float hit;      // number of the first object met, 0 for none
     vec3 place;     // of that meeting: x, y, z in r_s; of methods that count their steps, where nothing is met, x is their number
@@ -75,7 +75,7 @@ PixelData ray_data(Trace trace) {
             if (frame.disc_surface.x >= 1.0) {   // opaque: the ray ends here
                 data.fate = 4.0;
                 data.angle = swept_angle(crossing.phi);
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
                 data.delay = disc_delay(trace, crossing);
 #endif
             }
@@ -85,8 +85,8 @@ PixelData ray_data(Trace trace) {
 #ifdef NEEDS_PLACE
     if (solid.object != 0 && data.fate != 4.0) {
         data.fate = 4.0;
-#ifdef EFFECT_DELAY
-        data.delay = solid.place.delay;
+#ifdef NEEDS_LIGHT_TIMES
+        data.delay = place_light_time(trace, solid.place, solid.phi);
 #endif
         if (data.hit == 0.0) {
             data.hit = float(solid.object);
@@ -108,7 +108,7 @@ PixelData ray_data(Trace trace) {
     data.angle += ring_part(data.angle, frame.ring.x);
 #endif
     bool sky = data.fate == 0.0 || data.fate == 2.0;
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
     if (data.fate == 0.0) data.delay = sky_delay(trace);
 #endif
     data.sky = sky ? normalize(trace.sky) : vec3(0.0, 0.0, 0.0);

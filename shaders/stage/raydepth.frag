@@ -1,5 +1,5 @@
 // Of the first thing that each pixel's ray meets (docs/layers.md): its depth, and the frequency of light from the disc's matter.
-#ifdef EFFECT_DELAY
+#ifdef NEEDS_LIGHT_TIMES
 #ifndef EFFECT_SIDES
 #ifndef EFFECT_ZOOM
 #define KNOWS_DEPTH   // not through a throat, nor where a zoom leaves windings out

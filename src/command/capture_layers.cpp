@@ -40,7 +40,7 @@ public:
         if (pixel.hit == kDiscHit) return on_disc(place, time);
         const auto ball = balls_.find(pixel.hit);
         if (ball == balls_.end()) return place;
-        const double left = scene_.time - pixel.delay;  // when the light did
+        const double left = scene_.time - pixel.delay;  // when the light did; now, where all is seen at once
         return place + ball->second(left + time).place - ball->second(left).place;
     }
 
@@ -56,6 +56,12 @@ private:
     const Spacetime& spacetime_;
     std::map<int, BallMotionAt> balls_;
 };
+
+// Ray data whose things are all seen as they are now: no light has left earlier.
+RayFrame seen_at_once(RayFrame rays) {
+    for (RayPixel& pixel : rays.pixels) pixel.delay = 0.0;
+    return rays;
+}
 
 }  // namespace
 
@@ -73,7 +79,8 @@ Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, cons
     picture.depths = renderer.ray_depths();
     if (next != nullptr) {
         const Motions motions(scene, renderer.tables().matter());
-        picture.motion = ray_motion(picture.rays, later, next->time - scene.time,
+        const auto seen = [&](const RayFrame& rays) { return scene.light.delay ? rays : seen_at_once(rays); };
+        picture.motion = ray_motion(seen(picture.rays), seen(later), next->time - scene.time,
                                     [&](const RayPixel& pixel, double time) { return motions.moved(pixel, time); });
     }
     return picture;

@@ -42,7 +42,7 @@ std::vector<Variant> variants(const std::string& block) {
     std::vector<Variant> all;
     for (const char* name : {"flat", "lensed", "cubic"}) {
         Variant plane{name, always, "planar"};
-        for (const char* define : {"EFFECT_DELAY", "EFFECT_INNER", "EFFECT_INNER_HORIZON", "EFFECT_BOUNCE",
+        for (const char* define : {"NEEDS_LIGHT_TIMES", "EFFECT_INNER", "EFFECT_INNER_HORIZON", "EFFECT_BOUNCE",
                                    "EFFECT_STAR", "NEEDS_PHI_END", "NEEDS_ZETA_SLOPE"})
             plane.defines.emplace_back(define);
         if (plane.name != "flat") plane.defines.emplace_back("EFFECT_LENSING");
@@ -57,7 +57,7 @@ std::vector<Variant> variants(const std::string& block) {
             if (falling) all.back().name += "_falling", defines.emplace_back("EFFECT_SPIN_FALL");
             all.push_back(all.back());
             all.back().name += "_delayed";
-            all.back().defines.emplace_back("EFFECT_DELAY");
+            all.back().defines.emplace_back("NEEDS_LIGHT_TIMES");
         }
     for (std::size_t i = all.size(); i-- > 0;) {
         Variant moving = all[i];

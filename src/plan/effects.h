@@ -53,6 +53,7 @@ enum class Effect {
     kDither,
     kSides,
     kDelay,
+    kLightTimes,
     kDiscFlow,
     kSpot,
     kBallPath,

@@ -20,18 +20,19 @@ Status check_objects(const FramePlan& plan) {
     return Done{};
 }
 
-// Light times where they are wished for, as far as the shader can tell them.
-void settle_delays(FramePlan& plan, bool delays) {
-    if (delays) plan.effects.insert(Effect::kDelay);
-    if (!plan.light->knows_light_time()) plan.effects.erase(Effect::kDelay);
-    if (plan.effects.contains(Effect::kDelay) && plan.effects.contains(Effect::kLensing) &&
+// Light times where they are wished for, as far as the shader can tell them. Whether things are seen late is the scene's.
+void settle_light_times(FramePlan& plan, bool wanted) {
+    if (wanted) plan.effects.insert(Effect::kLightTimes);
+    if (!plan.light->knows_light_time())
+        for (const Effect effect : {Effect::kDelay, Effect::kLightTimes}) plan.effects.erase(effect);
+    if (plan.effects.contains(Effect::kLightTimes) && plan.effects.contains(Effect::kLensing) &&
         plan.light->spherical()->has_inner_root())
         plan.effects.insert(Effect::kInnerHorizon);
 }
 
 }  // namespace
 
-Result<FramePlan> plan_frame(const Scene& scene, bool delays, const FramePlan* last) {
+Result<FramePlan> plan_frame(const Scene& scene, bool light_times, const FramePlan* last) {
     FramePlan plan;
     plan.scene = scene;
     if (last != nullptr && last->scene.spacetime == scene.spacetime) {
@@ -55,7 +56,7 @@ Result<FramePlan> plan_frame(const Scene& scene, bool delays, const FramePlan* l
     plan.reasons = required_effects(scene, &*plan.matter, &plan.observer);
     plan.effects = effect_set(plan.reasons);
     if (Status objects = check_objects(plan); !objects) return objects.error();
-    settle_delays(plan, delays);
+    settle_light_times(plan, light_times);
     return plan;
 }
 

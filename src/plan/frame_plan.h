@@ -24,8 +24,8 @@ struct FramePlan {
     bool straight() const { return matter != light; }  // light that a metric would bend runs straight
 };
 
-// delays: light times also where the scene shows nothing that changes. last: its spacetimes are kept where they are the
+// light_times: how long light takes is known also where nothing is seen late; what is seen does not depend on it. last: its spacetimes are kept where they are the
 // same. Errors: unknown metric, no such observer at camera.r, parts of light or objects that the metric does not have.
-Result<FramePlan> plan_frame(const Scene& scene, bool delays = false, const FramePlan* last = nullptr);
+Result<FramePlan> plan_frame(const Scene& scene, bool light_times = false, const FramePlan* last = nullptr);
 
 }  // namespace nullscope

@@ -192,12 +192,19 @@ std::span<const Feature> light_features() {
          [](Scene& s) { s.light.delay = false; },
          moving_disc,
          [](Scene& s) { s.light.delay = true; }},
+        {{Effect::kLightTimes, "light-times", "EFFECT_LIGHT_TIMES", "How long light takes along its ray is known.",
+          "the effect delay, or that ray data or layers are drawn",
+          "what delay needs; of a picture alone nothing more"},
+         [](const FrameFacts& f) { return reason_if(f.so_far.contains(Effect::kDelay), "the effect delay"); },
+         nullptr,
+         moving_disc,
+         [](Scene& s) { s.light.delay = true; }},
         {{Effect::kInnerHorizon, "inner-horizon", "EFFECT_INNER_HORIZON",
           "Light-travel time about a hole with an inner horizon.",
           "light-travel time is needed about a hole with spacetime.charge",
           "a logarithm per crossing or sample of a body"},
          [](const FrameFacts& f) {
-             const bool late = f.bends() && f.so_far.contains(Effect::kDelay);
+             const bool late = f.bends() && f.so_far.contains(Effect::kLightTimes);
              return reason_if(late && f.spacetime->spherical()->has_inner_root(), metric_words(f));
          },
          nullptr,

@@ -76,12 +76,12 @@ void MinoPath::give(const FramePlan& plan, CoreInput& input) const {
     input.spin = true;
     input.spin_ring = plan.effects.contains(Effect::kSpinRing);
     input.spin_fall = falls(plan.scene.camera);
-    input.spin_delay = plan.effects.contains(Effect::kDelay);
+    input.spin_delay = plan.effects.contains(Effect::kLightTimes);
 }
 
 Status MinoPath::check(const Method& method, const FramePlan& plan) const {
     const EffectSet& effects = plan.effects;
-    const bool sky_alone = !falls(plan.scene.camera) && !effects.contains(Effect::kDelay) &&
+    const bool sky_alone = !falls(plan.scene.camera) && !effects.contains(Effect::kLightTimes) &&
                            !effects.contains(Effect::kDisc) && !has_solids(effects);
     const bool whole = method == Method{} || (method.kind == MethodKind::kMino && method.order == 6);
     if (whole || (counts_steps(method) && sky_alone)) return Done{};

@@ -14,7 +14,7 @@ namespace nullscope {
 namespace {
 
 PlanarPath::Rows rows_of(const EffectSet& effects) {
-    const bool delays = effects.contains(Effect::kDelay);
+    const bool delays = effects.contains(Effect::kLightTimes);
     return {{meets_objects(effects) || delays, delays}, effects.contains(Effect::kPointStars)};
 }
 

@@ -122,7 +122,7 @@ void Renderer::upload_tables() {
         star_lens_ = texture_of(tables_.texels("star lens"));
     }
     // A picture of the sky alone does not look where along the ray it is.
-    if (!meets_objects(tables_.effects()) && !tables_.effects().contains(Effect::kDelay) && !method_.cubic)
+    if (!meets_objects(tables_.effects()) && !tables_.effects().contains(Effect::kLightTimes) && !method_.cubic)
         ends_ = {};
     else
         upload_ends();

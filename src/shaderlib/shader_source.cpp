@@ -175,8 +175,13 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc)) || has_medium(effects);
     const bool list = stage == Stage::kRayList, data = list || stage == Stage::kRayData || stage == Stage::kRayDepth;
     if (data || objects || effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PHI_END");
-    if (data && effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PLACE_LATE");
     if (data && light_path_kind(effects) == LightPathKind::kMino) defines.emplace_back("NEEDS_FINE_AZIMUTH");
+    if (effects.contains(Effect::kDelay) || (data && effects.contains(Effect::kLightTimes)))
+        defines.emplace_back("NEEDS_LIGHT_TIMES");
+    if (data && effects.contains(Effect::kLightTimes)) {
+        if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE_TIME");
+        if (effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
+    }
     if (list) defines.emplace_back("RAYS_OF_A_LIST");
     if (list && effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
     if (no_bodies) std::erase(defines, "NEEDS_PLACE");

@@ -139,7 +139,7 @@ class Commands(support.CliTest):
         self.assertEqual([e["effect"] for e in found["left_out"]],
                          ["spin", "spin-fall", "disc-pattern", "thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
                           "body-image", "point-stars", "sky", "sky-shift", "sky-pattern", "inner", "bounce", "far-sky", "star",
-                          "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither", "sides", "delay", "disc-flow", "spot", "ball-path", "pulse", "inner-horizon",
+                          "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither", "sides", "delay", "light-times", "disc-flow", "spot", "ball-path", "pulse", "inner-horizon",
                           "limb-darkening", "samples", "disc-gas", "zoom", "spin-ring", "fisheye",
                           "equirectangular", "cylindrical", "cube-faces", "warp", "medium-flow", "medium-gas", "medium-motion",
                           "medium-formula", "medium-black-body", "medium-synchrotron", "medium-grid"])

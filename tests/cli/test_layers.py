@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Layers, ST maps and motion vectors, as files: their channels, and what is in them."""
+import math
 import struct
 import zlib
 
@@ -53,6 +54,45 @@ class Layers(support.CliTest):
         for y, row in enumerate(hit):
             for x, number in enumerate(row):
                 self.assertTrue(5 < depth[y][x] < 40 if number else depth[y][x] == 0, (x, y, depth[y][x]))
+
+    def test_light_without_delay(self):
+        """A ball that moves is where the picture has it, in ray data, layers and motion vectors; the same numbers as a ball at rest there."""
+        text = ('[camera]\nr = 30\ntheta = 60\n[sky]\nkind = "black"\n[light]\ndelay = "off"\n'
+                '[ball]\nposition = [8, 0, 0]\nradius = 1\n')
+        self.write("moves.toml", text + 'motion = "orbit"\n')
+        self.write("rests.toml", text)
+        rests = self.channels("rests.toml", "--size", "160x90", "--raydata", "-o", "r.exr")
+        picture = self.channels("moves.toml", "--size", "160x90", "-o", "p.exr")
+        self.assertGreater(sum(map(lambda row: sum(v > 0 for v in row), picture["R"])), 150)
+        for number, words in enumerate((("--raydata",), ("--layers",), ("--layers", "--time-step", "0.5", "--frames", "0:1"))):
+            name = f"m{number}_%d.exr" if "--frames" in words else f"m{number}.exr"
+            self.run_nullscope("capture", "moves.toml", "--size", "160x90", *words, "-o", name)
+            got = read_floats((self.folder / name.replace("%d", "0")).read_bytes())
+            for channels, same in (("RGB", picture), (("hit", "fate"), rests)):
+                for channel in channels:
+                    self.assertTrue(got[channel] == same[channel], f"{words}: {channel}")
+            self.assertGreater(sum(map(lambda row: sum(h == 4 for h in row), got["hit"])), 100)
+            for channel in "uvw":
+                for a, b in zip(got[channel], rests[channel]):
+                    for one, other in zip(a, b):
+                        self.assertAlmostEqual(one, other, delta=1e-4)
+        # In 0.5 r_s/c on an orbit at 8 r_s: by 0.5 sqrt(1/2/8^3) rad, to the ball's position of then.
+        angle = 0.5 * (0.5 / 8 ** 3) ** 0.5
+        self.write("later.toml", text.replace("[8, 0, 0]", f"[{8 * math.cos(angle)}, {8 * math.sin(angle)}, 0]"))
+        later = self.channels("later.toml", "--size", "160x90", "--raydata", "-o", "l.exr")
+        known = 0
+        for y, row in enumerate(got["hit"]):
+            for x, number in enumerate(row):
+                if number != 4 or not got["forward.known"][y][x]:
+                    continue
+                known += 1
+                to_x, to_y = x + got["forward.u"][y][x], y - got["forward.v"][y][x]
+                self.assertEqual(later["hit"][round(to_y)][round(to_x)], 4)
+                # About one pixel is 0.3 r_s: places there, as seen from the ball's middle, are those here.
+                off = [later[c][round(to_y)][round(to_x)] - got[c][y][x] - step
+                       for c, step in zip("uvw", (8 * math.cos(angle) - 8, 8 * math.sin(angle), 0))]
+                self.assertLess(math.hypot(*off), 0.5)
+        self.assertGreater(known, 30)
 
     def test_motion_of_a_camera_that_turns(self):
         """By a degree a frame: a pixel in the middle moves by (width/2)/tan(fov/2) of that in rad."""

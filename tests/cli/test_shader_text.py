@@ -56,6 +56,7 @@ WORDS = {
     "refine": [r"edge_(?:shown|value)"],
     "star": [r"star_(?:surface|square)\w*"],
     "delay": [r"light_time", r"delay_\w+"],
+    "light-times": [r"vec4 delay"],
     "disc-flow": [r"disc_(?:flow|turned|winding|orbit)"],
     "spot": [r"spot_\w+"],
     "ball-path": [r"ball_path\w*", r"moving_ball\w*"],

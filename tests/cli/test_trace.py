@@ -424,6 +424,23 @@ class ShaderText(TraceTest):
         self.write("r.csv", text)
         self.refused("trace", scene, "--rays", "r.csv", "--with", "core64", says=["core64", "bodies", "gl"])
 
+    def test_bodies_that_are_seen_at_once_stop_rays(self):
+        """How long light takes is asked of every ray, and changes nothing of what is seen without it."""
+        at = (8, 0, 0)   # of the ball now; along the orbit light from it would have left 30 r_s/c earlier
+        eye = (30 * math.sin(1.1), 0, 30 * math.cos(1.1))
+        rays = []
+        for i in range(60):
+            aim = [at[0] - eye[0], at[1] - eye[1] + 0.1 * (i % 10 - 5), at[2] - eye[2] + 0.3 * (i // 10)]
+            # Outward, south, east at azimuth 0.
+            rays.append((30, 1.1, 0, aim[0] * math.sin(1.1) + aim[2] * math.cos(1.1), aim[0] * math.cos(1.1) - aim[2] * math.sin(1.1), aim[1]))
+        text = write_csv(rays, ["r", "theta", "phi", "n_r", "n_theta", "n_phi"])
+        for metric in ("schwarzschild", "kerr"):
+            scene = self.write("at-once.toml", f'[spacetime]\nmetric = "{metric}"\n[light]\ndelay = "off"\n[camera]\nr = 30\n'
+                               "[ball]\nposition = [8, 0, 0]\nradius = 1.5\nmotion = \"orbit\"\n")
+            fates = [[r["fate"] for r in self.trace(text, *words, scene=scene)] for words in ((), ("--with", "gl"))]
+            self.assertEqual(*fates)
+            self.assertGreater(fates[0].count("hit:ball"), 10)
+
     def test_flat_space(self):
         text, _, _ = self.random_rays(100)
         reference = self.trace(text, "--crossings", "1", scene="flat")

@@ -308,7 +308,8 @@ TEST_CASE("a scene without one of its effects calls for no more than the others"
             const auto less = without_effect(*scene, effect);
             const bool bound = effect == Effect::kInner || effect == Effect::kBounce || effect == Effect::kStar ||
                                effect == Effect::kDiscImage || effect == Effect::kDiscPattern ||
-                               effect == Effect::kThermalDisc || effect == Effect::kDiscGas;
+                               effect == Effect::kThermalDisc || effect == Effect::kDiscGas ||
+                               effect == Effect::kLightTimes;  // which goes with kDelay
             CHECK((less.has_value() || bound));
             if (!less) continue;
             const EffectSet left = effect_set(required_effects(*less));

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include "scene/bodies.h"
+
 using namespace nullscope;
 
 namespace {
@@ -60,13 +62,31 @@ TEST_CASE("frame plan: spacetimes are kept from plan to plan as long as they are
 
 TEST_CASE("frame plan: light times that are wished for are there where the metric can tell them") {
     Scene scene;
-    CHECK_FALSE(plan_frame(scene)->effects.contains(Effect::kDelay));
-    CHECK(plan_frame(scene, true)->effects.contains(Effect::kDelay));
+    CHECK_FALSE(plan_frame(scene)->effects.contains(Effect::kLightTimes));
+    CHECK(plan_frame(scene, true)->effects.contains(Effect::kLightTimes));
     CHECK_FALSE(plan_frame(scene, true)->effects.contains(Effect::kInnerHorizon));
     scene.spacetime = {"reissner-nordstrom", {{"charge", 0.4}}};
     CHECK(plan_frame(scene, true)->effects.contains(Effect::kInnerHorizon));
     scene.spacetime = {"ellis", {}};
-    CHECK_FALSE(plan_frame(scene, true)->effects.contains(Effect::kDelay));
+    CHECK_FALSE(plan_frame(scene, true)->effects.contains(Effect::kLightTimes));
+}
+
+TEST_CASE("frame plan: light times that are wished for leave it to the scene whether things are seen late") {
+    for (const bool moves : {false, true})
+        for (const bool delay : {false, true})
+            for (const bool wished : {false, true}) {
+                Scene scene;
+                scene.light.delay = delay;
+                if (moves) add<BallSpec>(scene).motion = BallMotion::kOrbit;
+                const EffectSet effects = plan_frame(scene, wished)->effects;
+                CHECK(effects.contains(Effect::kDelay) == (moves && delay));
+                CHECK(effects.contains(Effect::kLightTimes) == ((moves && delay) || wished));
+                EffectSet others = effects;
+                others.erase(Effect::kLightTimes);
+                EffectSet scenes = plan_frame(scene)->effects;
+                scenes.erase(Effect::kLightTimes);
+                CHECK(others == scenes);
+            }
 }
 
 TEST_CASE("frame plan: what cannot be is said with what is allowed") {

@@ -1,0 +1,248 @@
+// What is drawn beside a picture (ray data, layers, depths) is of the very picture, and asking for it changes nothing: whichever of the
+// parts of light are switched off.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "render/picture_layers.h"
+#include "scene/bodies.h"
+#include "scenefile/scene_file.h"
+#include "support/gpu_session.h"
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+constexpr double kBesideError = 1e-5;  // of the light, and of 1 where there is less: rounding of float sums
+constexpr float kWhole = 0.6f;         // of the brightest: above what a body covers whose ray passes it
+constexpr double kBallsImage = 1e-3;   // light of a small ball, whose lensed image is a part of a pixel
+constexpr double kSamePlace = 1e-4;    // of places, and of r_s: another program's rounding
+
+struct BesideCase {
+    const char* name;
+    std::function<void(Scene&)> set;
+};
+
+void glow(Material& material) { material.colour = {1, 1, 1}; }
+
+std::function<void(Scene&)> moving_ball(BallMotion motion, const char* metric) {
+    return [=](Scene& s) {
+        BallSpec& ball = add<BallSpec>(s);
+        ball.position = {8, 0, 0}, ball.radius = 1, ball.motion = motion;
+        ball.x = "8 * cos(t / 3)", ball.y = "8 * sin(t / 3)", ball.z = "sin(t)";
+        s.spacetime.metric = metric;
+    };
+}
+
+// Bodies alone before a black sky.
+std::vector<BesideCase> bodies() {
+    return {{"ball on an orbit", moving_ball(BallMotion::kOrbit, "schwarzschild")},
+            {"ball on a path, flat", moving_ball(BallMotion::kPath, "minkowski")},
+            {"ball on an orbit, rotating hole", moving_ball(BallMotion::kOrbit, "kerr")},
+            {"ball on a path, charged hole",
+             [](Scene& s) {
+                 moving_ball(BallMotion::kPath, "reissner-nordstrom")(s);
+                 s.spacetime.parameters = {{"charge", 0.8}};
+             }},
+            {"ball at rest beside a moving one, fisheye",
+             [](Scene& s) {
+                 moving_ball(BallMotion::kOrbit, "schwarzschild")(s);
+                 add<BallSpec>(s).position = {0, 7, 3};
+                 s.camera.projection = Projection::kFisheye;
+             }},
+            {"sphere that pulsates",
+             [](Scene& s) {
+                 SphereSpec& sphere = add<SphereSpec>(s);
+                 sphere.radius = 4, sphere.amplitude = 0.3, sphere.period = 12;
+             }},
+            {"surface with t in it", [](Scene& s) {
+                 SurfaceSpec& surface = add<SurfaceSpec>(s);
+                 surface.shape = "length(x, y, z) - 4 - 0.6 * sin(0.5 * t + 3 * atan(y, x))", surface.bound = 6;
+             }}};
+}
+
+// And what is not opaque, or glows.
+std::vector<BesideCase> others() {
+    const auto disc = [](Scene& s) -> DiscSpec& {
+        s.disc.emplace().flow = DiscFlowKind::kKepler;
+        s.disc->material.texture = TextureKind::kGas;
+        return *s.disc;
+    };
+    const auto clump = [](Scene& s) {
+        MediumSpec& medium = s.medium.emplace();
+        medium.kind = MediumKind::kFormula, medium.emission = MediumEmission::kBlackBody, medium.outer = 12;
+        medium.formulas.density = "exp(-((x - 6 * cos(t / 3))^2 + (y - 6 * sin(t / 3))^2 + z^2))";
+    };
+    return {{"disc of gas that flows", [=](Scene& s) { disc(s).opacity = 0.5; }},
+            {"spot on a disc about a rotating hole",
+             [=](Scene& s) {
+                 disc(s).emission = DiscEmission::kThermal;
+                 s.spots.emplace_back(), s.spacetime.metric = "kerr";
+             }},
+            {"matter that moves", clump},
+            {"matter that moves, with a moving ball, flat",
+             [=](Scene& s) { moving_ball(BallMotion::kPath, "minkowski")(s), clump(s); }},
+            {"matter that moves and a disc, rotating hole",
+             [=](Scene& s) { disc(s).opacity = 0.7, clump(s), s.spacetime.metric = "kerr"; }},
+            {"gas about a hole, with a ball", [](Scene& s) {
+                 moving_ball(BallMotion::kOrbit, "schwarzschild")(s);
+                 s.medium.emplace().flow = DiscFlowKind::kKepler;
+             }}};
+}
+
+struct BesideSwitch {
+    const char* name;
+    void (*set)(Scene&);
+};
+constexpr BesideSwitch kSwitches[] = {
+    {"as it is", [](Scene&) {}},
+    {"delay off", [](Scene& s) { s.light.delay = false; }},
+    {"delay and doppler off",
+     [](Scene& s) {
+         s.light.delay = s.light.doppler = false, s.camera.velocity = {0, 0, 0.3};
+     }},
+    {"delay, gravity and aberration off",
+     [](Scene& s) {
+         s.light.delay = s.light.gravity = s.light.aberration = false, s.camera.velocity = {0, 0.2, 0};
+     }},
+    {"delay off, shift and beaming off", [](Scene& s) { s.light.delay = s.light.shift = s.light.beaming = false; }},
+    {"delay off, no more rays at edges", [](Scene& s) { s.light.delay = false, s.picture.refine = false; }},
+    {"delay off, four rays a pixel",
+     [](Scene& s) { s.light.delay = false, s.picture.refine = false, s.picture.samples = 2; }},
+    {"delay and lensing off", [](Scene& s) { s.light.delay = s.light.lensing = false; }},
+    {"delay off, later", [](Scene& s) { s.light.delay = false, s.time = 123.4; }},
+    {"late and later", [](Scene& s) { s.time = 123.4; }}};
+
+Scene scene_of(const BesideCase& c, const BesideSwitch& switched) {
+    Scene scene;
+    scene.camera.r = 30, scene.camera.theta = M_PI / 3;
+    scene.camera.width = 80, scene.camera.height = 45;
+    scene.sky.kind = SkyKind::kBlack;
+    c.set(scene), switched.set(scene);
+    for (Body& body : scene.bodies) glow(body.material);
+    return scene;
+}
+
+bool lit(const Image<float>& picture, int x, int y) {
+    const float* p = picture.at(x, y);
+    return std::max({p[0], p[1], p[2]}) > 0;
+}
+
+// Of pictures with a ray a pixel: lit pixels are those that rays hit, but for pixels at an edge, which a body covers in part.
+void check_mask(const Image<float>& picture, const RayFrame& rays) {
+    int hits = 0, dark = 0, alone = 0;
+    float brightest = 0;
+    for (const float part : picture.data) brightest = std::max(brightest, part);
+    for (int y = 0; y < rays.height; ++y)
+        for (int x = 0; x < rays.width; ++x) {
+            if (rays.at(x, y).hit != 0) ++hits, dark += !lit(picture, x, y);
+            if (rays.at(x, y).hit != 0 ||
+                *std::max_element(picture.at(x, y), picture.at(x, y) + 3) < kWhole * brightest)
+                continue;
+            bool beside = false;
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx)
+                    if (x + dx >= 0 && x + dx < rays.width && y + dy >= 0 && y + dy < rays.height)
+                        beside = beside || rays.at(x + dx, y + dy).hit != 0;
+            alone += !beside;
+        }
+    CHECK(hits > 5);
+    CHECK(dark == 0);
+    CHECK(alone == 0);
+}
+
+bool same(const RayFrame& a, const RayFrame& b) {
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const RayPixel &p = a.pixels[i], &q = b.pixels[i];
+        const double off = std::max({std::abs(p.u - q.u), std::abs(p.v - q.v), std::abs(p.w - q.w)});
+        if (p.hit != q.hit || p.fate != q.fate || off > kSamePlace * std::max(1.0, std::abs(p.u))) return false;
+    }
+    return true;
+}
+
+double beside_off(const Image<float>& a, const Image<float>& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.data.size(); ++i)
+        most = std::max(most, std::abs(double(a.data[i]) - b.data[i]) / std::max(1.0, std::abs(double(b.data[i]))));
+    return most;
+}
+
+void check_beside(GpuSession& session, const Scene& scene, bool bodies_alone) {
+    Renderer& renderer = *session.renderer;
+    renderer.want_delays(false);
+    const Status ready = renderer.prepare(scene);
+    const std::string reason = ready ? "" : ready.error().message();
+    REQUIRE_MESSAGE(ready, reason);
+    const Image<float> picture = renderer.picture();
+    const RayFrame rays = renderer.ray_data();
+    if (bodies_alone) {
+        Scene bare = scene;
+        bare.picture.refine = false, bare.picture.samples = 1;
+        REQUIRE(renderer.prepare(bare));
+        check_mask(renderer.picture(), rays);
+    }
+    renderer.want_delays(true);
+    REQUIRE(renderer.prepare(scene));
+    CHECK(renderer.picture().data == picture.data);
+    CHECK(same(renderer.ray_data(), rays));
+    const PictureLayers layers = draw_layers(renderer);
+    CHECK(layers.all.data == picture.data);
+    Image<float> sum(picture.width, picture.height, 3);
+    for (const LayerImage& layer : layers.each)
+        for (std::size_t i = 0; i < sum.data.size(); ++i) sum.data[i] += layer.light.data[i];
+    CHECK(beside_off(sum, picture) < kBesideError);
+    renderer.want_delays(false);
+}
+
+}  // namespace
+
+TEST_CASE("beside the picture: ray data and layers are of it, and change nothing, whatever of light is switched off") {
+    on_one_context([](GpuSession& session) {
+        Selection selection(5);
+        for (const bool alone : {true, false})
+            for (const BesideCase& c : alone ? bodies() : others())
+                for (const BesideSwitch& switched : kSwitches) {
+                    // At quick depth the first two of each, and some of the others.
+                    if (&switched > &kSwitches[1] && !selection.takes_next()) continue;
+                    const Scene scene = scene_of(c, switched);
+                    const LightSpec& light = scene.light;
+                    if ((scene.medium || scene.spacetime.metric == "kerr") &&
+                        !(light.lensing && light.doppler && light.gravity))
+                        continue;  // refused
+                    CAPTURE(c.name);
+                    CAPTURE(switched.name);
+                    check_beside(session, scene, alone);
+                }
+    });
+}
+
+TEST_CASE("beside the picture: matter that is seen at once is, whatever moves beside it") {
+    on_one_context([](GpuSession& session) {
+        for (const char* metric : {"minkowski", "schwarzschild", "kerr"}) {
+            CAPTURE(metric);
+            BesideCase clump{"", nullptr};
+            for (const BesideCase& c : others())
+                if (c.name == std::string_view("matter that moves")) clump = c;
+            Scene alone = scene_of(clump, kSwitches[1]);
+            alone.spacetime.metric = metric, alone.time = 4.0, alone.picture.refine = false;
+            Scene beside = alone;
+            add<BallSpec>(beside, BallSpec{.position = {0, 100, 0}, .radius = 0.01}).motion = BallMotion::kOrbit;
+            if (metric == std::string_view("minkowski")) {
+                BallSpec& ball = *first_shape<BallSpec>(beside);
+                ball.motion = BallMotion::kPath, ball.x = "0", ball.y = "100 + sin(t)", ball.z = "0";
+            }
+            const auto drawn = [&](const Scene& scene) {
+                const Status ready = session.renderer->prepare(scene);
+                const std::string reason = ready ? "" : ready.error().message();
+                REQUIRE_MESSAGE(ready, reason);
+                return session.renderer->picture();
+            };
+            const Image<float> picture = drawn(alone);
+            CHECK(*std::ranges::max_element(picture.data) > 0.01f);
+            CHECK(beside_off(drawn(beside), picture) < kBallsImage);
+        }
+    });
+}
