@@ -12,7 +12,23 @@ struct MediumSum {
     vec3 light;
     float through;   // what of the light behind comes through it
     float step;      // length of the next sample, r_s
+#ifdef MEDIUM_MEAN
+    vec2 weight;     // of all that was gone along: light that reaches the camera, and what of the light behind is hidden
+    vec2 moment;     // and the same times where on the ray it is
+#endif
 };
+
+MediumSum medium_nothing() {
+    MediumSum sum;
+    sum.light = vec3(0.0);
+    sum.through = 1.0;
+    sum.step = frame.medium_bound.y;
+#ifdef MEDIUM_MEAN
+    sum.weight = vec2(0.0);
+    sum.moment = vec2(0.0);
+#endif
+    return sum;
+}
 
 struct MediumSpan {
     vec3 from;           // places at its ends, r_s, world axes
@@ -31,11 +47,14 @@ struct MediumSpan {
 #ifdef NEEDS_PLACE_LATE
     vec2 delays;         // of light from both ends
 #endif
+#ifdef MEDIUM_MEAN
+    vec2 along;          // where on the ray both ends are
+#endif
 };
 
 // A sample more, `way` of the affine parameter long, along which source and absorption are taken as even. Where way is 0 nothing that was
-// found is used: far out it is no number.
-MediumSum medium_add(MediumSum sum, MediumLight found, float way) {
+// found is used: far out it is no number. along: where on the ray it is.
+MediumSum medium_add(MediumSum sum, MediumLight found, float way, float along) {
     float depth = found.absorption * way;
     vec3 light = found.emission * way;
     depth = way > 0.0 ? depth : 0.0;
@@ -44,7 +63,13 @@ MediumSum medium_add(MediumSum sum, MediumLight found, float way) {
     float thick = (1.0 - dims) / max(depth, 1.0e-2);
     float thin = 1.0 - depth * (0.5 - depth * (1.0 / 6.0));   // of (1 - exp(-x))/x
     float share = depth < 1.0e-2 ? thin : thick;
-    sum.light += (sum.through * share) * light;
+    vec3 seen = (sum.through * share) * light;
+    sum.light += seen;
+#ifdef MEDIUM_MEAN
+    vec2 weight = vec2(seen.r + seen.g + seen.b, sum.through * share * depth);
+    sum.weight += weight;
+    sum.moment += along * weight;
+#endif
     sum.through *= dims;
     return sum;
 }
@@ -90,7 +115,11 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
         begin = end;
         MediumLight found = medium_light(at);
         bool there = !empty && at.r > frame.medium_hole.w && at.r < frame.medium_bound.x;
-        sum = medium_add(sum, found, there ? way : 0.0);
+        float along = 0.0;
+#ifdef MEDIUM_MEAN
+        along = mix(span.along.x, span.along.y, s);
+#endif
+        sum = medium_add(sum, found, there ? way : 0.0, along);
         sum.step = there ? found.step * frame.medium_bound.z * (2.0 - sum.through) : sum.step;
         i += 1;
     } while (i < MEDIUM_SAMPLES);

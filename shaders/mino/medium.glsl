@@ -81,7 +81,7 @@ MediumWalk medium_walk(Trace trace, vec2 pixel) {
     walk.going = walk.outside || walk.ray.a * walk.ray.momentum > walk.ray.energy * (walk.ray.outer - frame.spin_turn.z);   // mino/trace.glsl
 #endif
     walk.doppler = view.doppler;
-    walk.sum = MediumSum(vec3(0.0), 1.0, frame.medium_bound.y);
+    walk.sum = medium_nothing();
     return walk;
 }
 
@@ -167,6 +167,9 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
                 span.camera = camera;
 #ifdef NEEDS_PLACE_LATE
                 span.delays = vec2(place.delay, next.delay);
+#endif
+#ifdef MEDIUM_MEAN
+                span.along = walk.begun + walk.segment.h * vec2(walk.part, walk.part + more);
 #endif
                 walk.sum = medium_along(span, walk.sum, empty);
                 walk.part = empty ? walk.part : more < last - walk.part ? walk.part + more : last;

@@ -7,6 +7,10 @@
 #else
 #include "planar/delay.glsl"
 #endif
+#ifdef MEDIUM_MEAN
+#include "planar/medium.glsl"
+#include "planar/place.glsl"
+#endif
 #include "planar/trace.glsl"
 #include "shared/frame.glsl"
 
@@ -45,3 +49,16 @@ float affine_depth(vec2 pixel, Trace trace, float along) {
     return trace.doppler * light_time(trace, along, 1.0 / max(zeta, 1.0e-12), 0.0);
 #endif
 }
+
+#ifdef MEDIUM_MEAN
+// Of a place in matter, by where the walk through it has it: x, y, z, r_s, and its depth.
+vec4 medium_depth(vec2 pixel, Trace trace, float along) {
+    vec3 at = medium_at(trace, place_tangent(trace), along).at;
+#ifdef EFFECT_LENSING
+    return vec4(at, affine_depth(pixel, trace, along));
+#else
+    vec3 away = at - radial_direction() / frame.shift.y;
+    return vec4(at, trace.doppler * sqrt(dot(away, away)));
+#endif
+}
+#endif

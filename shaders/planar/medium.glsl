@@ -21,7 +21,7 @@ MediumWalk medium_walk(Trace trace, vec2 pixel) {
     walk.tangent = place_tangent(trace);
     walk.along = 0.0;
     walk.spans = MEDIUM_MOST_SPANS;
-    walk.sum = MediumSum(vec3(0.0), 1.0, frame.medium_bound.y);
+    walk.sum = medium_nothing();
     return walk;
 }
 
@@ -74,6 +74,9 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
         span.camera = camera;
 #ifdef NEEDS_PLACE_LATE
         span.delays = vec2(place.delay, next.delay);
+#endif
+#ifdef MEDIUM_MEAN
+        span.along = vec2(walk.along, walk.along + more);
 #endif
         walk.sum = medium_along(span, walk.sum, empty);
         walk.along = empty ? walk.along : more < last - walk.along ? walk.along + more : last;

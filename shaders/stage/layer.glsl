@@ -2,10 +2,11 @@
 #define LAYER_DISC 1      // first image order, the third has all higher ones
 #define LAYER_BODIES 4
 #define LAYER_SKY 5
+#define LAYER_MEDIUM 6
 #ifdef LAYERS
 #define LAYER_ALL 0
-#define LAYER_DISC_SHARES 6    // of each order of the disc: how much of the pixel's light it hides
-#define LAYER_OTHER_SHARES 7   // of bodies and sky
+#define LAYER_DISC_SHARES 7    // of each order of the disc: how much of the pixel's light it hides
+#define LAYER_OTHER_SHARES 8   // of bodies, sky and matter along the ray
 
 uniform int layer_shown;
 

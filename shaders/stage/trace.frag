@@ -59,7 +59,7 @@ vec4 ray_light(vec2 pixel) {
         until = min(until, solid.phi);
 #endif
         medium = medium_to(trace, medium, until);
-        light += layer_light(through * medium.sum.light, through - through * medium.sum.through, LAYER_BODIES);
+        light += layer_light(through * medium.sum.light, through - through * medium.sum.through, LAYER_MEDIUM);
         through *= medium.sum.through;
 #endif
 #ifdef NEEDS_PLACE
@@ -79,7 +79,7 @@ vec4 ray_light(vec2 pixel) {
 #ifdef NEEDS_PLACE
 #ifdef SLOT_MEDIUM
     medium = medium_to(trace, medium, solid.phi);
-    light += layer_light(through * medium.sum.light, through - through * medium.sum.through, LAYER_BODIES);
+    light += layer_light(through * medium.sum.light, through - through * medium.sum.through, LAYER_MEDIUM);
     through *= medium.sum.through;
 #endif
     light += layer_light(through * body.rgb, through * body.a, LAYER_BODIES);
@@ -88,7 +88,7 @@ vec4 ray_light(vec2 pixel) {
 #ifdef SLOT_MEDIUM
     if (through > 0.002) {
         medium = medium_to(trace, medium, 1.0e30);
-        light += layer_light(through * medium.sum.light, through - through * medium.sum.through, LAYER_BODIES);
+        light += layer_light(through * medium.sum.light, through - through * medium.sum.through, LAYER_MEDIUM);
         through *= medium.sum.through;
     }
 #endif

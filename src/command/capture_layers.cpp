@@ -1,5 +1,6 @@
 #include "command/capture_layers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -63,6 +64,26 @@ RayFrame seen_at_once(RayFrame rays) {
     return rays;
 }
 
+float luminance_of(const float* p) { return 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2]; }
+
+// Where a pixel shows matter along its ray, matter is what it hits: in front of the sky and the hole where half of the light is its,
+// anywhere where half of the light behind it is hidden by it.
+void hit_medium(LayeredPicture& picture) {
+    const auto layer = std::ranges::find(picture.layers.each, "medium", &LayerImage::name);
+    if (layer == picture.layers.each.end()) return;
+    for (std::size_t i = 0; i < picture.rays.pixels.size(); ++i) {
+        RayPixel& pixel = picture.rays.pixels[i];
+        const float light = luminance_of(&layer->light.data[3 * i]);
+        const bool bright = light > 0.0f && 2.0f * light >= luminance_of(&picture.layers.all.data[3 * i]);
+        if (!(picture.depths.medium[i] > 0.0f) || !(layer->share[i] >= 0.5f || (pixel.hit == 0 && bright))) continue;
+        pixel.hit = kMediumHit;
+        const Vec3 place = picture.depths.medium_place[i];
+        pixel.u = place.x, pixel.v = place.y, pixel.w = place.z;
+        picture.depths.depth[i] = picture.depths.medium[i], picture.depths.g[i] = 0.0f;
+        if (picture.motion) picture.motion->right[i] = picture.motion->up[i] = picture.motion->known[i] = 0.0f;
+    }
+}
+
 }  // namespace
 
 Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, const Scene* next) {
@@ -83,6 +104,7 @@ Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, cons
         picture.motion = ray_motion(seen(picture.rays), seen(later), next->time - scene.time,
                                     [&](const RayPixel& pixel, double time) { return motions.moved(pixel, time); });
     }
+    hit_medium(picture);
     return picture;
 }
 
@@ -100,6 +122,7 @@ void add_layer_channels(const LayeredPicture& picture, const Scene& scene, Chann
     }
     add_ray_channels(picture.rays, file);
     file.channels["depth.affine"] = picture.depths.depth;
+    if (!picture.depths.medium.empty()) file.channels["depth.medium"] = picture.depths.medium;
     file.channels["g_hit"] = picture.depths.g;
     for (const char* of : {"sky", "plate"}) {
         const Image<float> map = st_map_of(picture.rays, scene, of);

@@ -13,7 +13,8 @@
 
 namespace nullscope::cli {
 
-// The picture in layers, its ray data and, where there is a next picture, how far things move until then.
+// The picture in layers, its ray data and, where there is a next picture, how far things move until then. Beside what ray data are of
+// themselves, pixels that show matter along their ray hit it (kMediumHit), at its mean place.
 struct LayeredPicture {
     PictureLayers layers;
     RayFrame rays;
@@ -24,7 +25,7 @@ struct LayeredPicture {
 // next: the scene of the next frame; null: none. The session's renderer is prepared here. Errors: as of pictures.
 Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, const Scene* next);
 
-// Beside R, G and B of the picture: A of what covers the sky; NAME.R ... NAME.A of every layer; ray data; depth.affine and g_hit; st_sky.u, st_sky.v, st_plate.u, st_plate.v;
+// Beside R, G and B of the picture: A of what covers the sky; NAME.R ... NAME.A of every layer; ray data; depth.affine, depth.medium of scenes with matter, and g_hit; st_sky.u, st_sky.v, st_plate.u, st_plate.v;
 // forward.u, forward.v, forward.known.
 void add_layer_channels(const LayeredPicture& picture, const Scene& scene, ChannelImage& file);
 

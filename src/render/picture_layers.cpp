@@ -24,6 +24,7 @@ PictureLayers draw_layers(Renderer& renderer) {
     }
     const Image<float> shares = renderer.layer(PictureLayer::kOtherShares);
     if (bodies) add("bodies", PictureLayer::kBodies, shares, 0);
+    if (has_medium(effects)) add("medium", PictureLayer::kMedium, shares, 2);
     add("sky", PictureLayer::kSky, shares, 1);
     layers.covered = channel_of(shares, 1);
     for (float& part : layers.covered) part = std::clamp(1.0f - part, 0.0f, 1.0f);

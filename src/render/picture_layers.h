@@ -1,4 +1,4 @@
-// A picture in layers, for compositing: what each image order of the disc, the bodies and the sky add to it.
+// A picture in layers, for compositing: what each image order of the disc, the bodies, matter along rays and the sky add to it.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,19 +10,21 @@ namespace nullscope {
 class Renderer;
 
 // As shaders/stage/layer.glsl numbers them. Shares: how much of the pixel's light something hides, or would if it were behind nothing.
-// kDisc2: of the third image and all higher ones. kDiscShares: of three image orders; kOtherShares: of bodies, sky, and nothing.
-enum class PictureLayer { kAll, kDisc0, kDisc1, kDisc2, kBodies, kSky, kDiscShares, kOtherShares };
+// kDisc2: of the third image and all higher ones. kMedium: of matter along rays. kDiscShares: of three image orders; kOtherShares: of
+// bodies, sky and medium.
+enum class PictureLayer { kAll, kDisc0, kDisc1, kDisc2, kBodies, kSky, kMedium, kDiscShares, kOtherShares };
 
 struct LayerImage {
-    std::string name;    // disc0, disc1, disc2, bodies, sky
+    std::string name;    // disc0, disc1, disc2, bodies, medium, sky
     Image<float> light;  // RGB, linear, as much of it as reaches the camera: the layers add up to the picture
     std::vector<float>
         share;  // of each pixel, [0, 1]: what of the light behind it the layer keeps from the camera; the sky's: what it is seen through
 };
 struct PictureLayers {
     Image<float> all;              // the picture
-    std::vector<LayerImage> each;  // those that the scene can have, from the front
-    std::vector<float> covered;    // of each pixel, [0, 1]: by the disc, bodies and the hole; the sky has the rest
+    std::vector<LayerImage> each;  // those that the scene can have
+    std::vector<float>
+        covered;  // of each pixel, [0, 1]: by the disc, bodies, matter and the hole; the sky has the rest
 };
 
 // Of the scene that the renderer has prepared; rows from the top. Bloom and tone mapping are not in it, as in every picture of linear light.

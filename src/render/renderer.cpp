@@ -500,7 +500,8 @@ Image<float> Renderer::interpolated_rays() {
 
 Renderer::RayDepths Renderer::ray_depths() {
     const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
-    const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F);
+    const bool medium = has_medium(tables_.effects());
+    const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F, medium ? 2 : 1);
     upload_ends();
     const gl::Program& built = program(Stage::kRayDepth, Output::kLinear);
     bind_inputs();
@@ -510,6 +511,12 @@ Renderer::RayDepths Renderer::ray_depths() {
     for (int y = 0; y < h; ++y) {
         gl::read_rgba32f_row(target, 0, h - 1 - y, row.data());
         for (std::size_t i = 0; i < row.size(); i += 4) depths.depth.push_back(row[i]), depths.g.push_back(row[i + 1]);
+        if (!medium) continue;
+        gl::read_rgba32f_row(target, 1, h - 1 - y, row.data());
+        for (std::size_t i = 0; i < row.size(); i += 4) {
+            depths.medium_place.push_back({row[i], row[i + 1], row[i + 2]});
+            depths.medium.push_back(row[i + 3]);
+        }
     }
     return depths;
 }

@@ -104,8 +104,11 @@ public:
     Image<float> interpolated_rays();
     // Of the first thing that each pixel's ray meets, top row first, 0 where there is none or the metric has no light times (wormholes, zooms):
     // the affine parameter, r_s, of a photon of unit frequency in the camera; on a thermal disc the camera's frequency over its matter's.
+    // Where there is a medium, of its light that is in front of what ends the ray: the mean place on the ray (r_s, world axes) and the
+    // affine parameter there; else empty.
     struct RayDepths {
-        std::vector<float> depth, g;
+        std::vector<float> depth, g, medium;
+        std::vector<Vec3> medium_place;
     };
     RayDepths ray_depths();               // want_delays(true) first
     RayFrame ray_data(int row_step = 1);  // row_step: draws and reads only rows 0, row_step, ...; the same bits there

@@ -58,6 +58,8 @@ struct RayRecord {
 // Numbers of what rays hit: the first sphere, cylinder, ball and surface of a scene have 2 to 5, later kinds 7 and on (scene/bodies.h
 // has all bodies).
 inline constexpr int kDiscHit = 1, kSphereHit = 2, kCylinderHit = 3, kBallHit = 4, kSurfaceHit = 5, kStarHit = 6;
+// Matter along the ray, in layers alone: ray data do not know it. No body has this number: a second disc would.
+inline constexpr int kMediumHit = 9;
 
 // One pixel of the ray data of a frame (docs/ray-data.md). Finite always; 0 where a value does not exist.
 struct RayPixel {

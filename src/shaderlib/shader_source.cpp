@@ -183,6 +183,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         if (effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
     }
     if (list) defines.emplace_back("RAYS_OF_A_LIST");
+    if (stage == Stage::kRayDepth && has_medium(effects)) defines.emplace_back("MEDIUM_MEAN");
     if (list && effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
     if (no_bodies) std::erase(defines, "NEEDS_PLACE");
     if (sky_alone) std::erase(defines, "EFFECT_DISC");

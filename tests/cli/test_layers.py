@@ -55,6 +55,23 @@ class Layers(support.CliTest):
             for x, number in enumerate(row):
                 self.assertTrue(5 < depth[y][x] < 40 if number else depth[y][x] == 0, (x, y, depth[y][x]))
 
+    def test_matter_has_a_layer_and_a_depth(self):
+        got = self.channels("soft-disc", "--size", support.SMALL, "--layers", "-o", "m.exr")
+        for channel in "RGB":
+            for y, row in enumerate(got[channel]):
+                for x, value in enumerate(row):
+                    self.assertAlmostEqual(value, got[f"medium.{channel}"][y][x] + got[f"sky.{channel}"][y][x], delta=1e-5 * max(1, value))
+        self.assertGreater(max(map(max, got["medium.R"])), 1)
+        shown = 0
+        for y, row in enumerate(got["hit"]):
+            for x, number in enumerate(row):
+                self.assertIn(number, (0, 9))
+                depth, matter = got["depth.affine"][y][x], got["depth.medium"][y][x]
+                self.assertEqual(depth, matter if number else 0)
+                self.assertTrue(matter == 0 or 26 - 11.6 < matter < 26 + 15, matter)
+                shown += number == 9
+        self.assertGreater(shown, 300)
+
     def test_light_without_delay(self):
         """A ball that moves is where the picture has it, in ray data, layers and motion vectors; the same numbers as a ball at rest there."""
         text = ('[camera]\nr = 30\ntheta = 60\n[sky]\nkind = "black"\n[light]\ndelay = "off"\n'

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "command/capture_layers.h"
 #include "render/picture_layers.h"
+#include "scene/bodies.h"
 #include "scenefile/scene_file.h"
 #include "support/gpu_session.h"
 
@@ -23,8 +25,9 @@ double worst_off(const Image<float>& a, const Image<float>& b) {
 }
 
 TEST_CASE("picture layers: they add up to the picture, shares to one") {
-    constexpr const char* kScenes[] = {"first-light", "gargantua", "swarm", "starlight",
-                                       "kerr-planet", "hot-spot",  "zoom",  "neutron-star"};
+    constexpr const char* kScenes[] = {"first-light", "gargantua",  "swarm",    "starlight",
+                                       "kerr-planet", "hot-spot",   "zoom",     "neutron-star",
+                                       "soft-disc",   "grid-torus", "hot-flow", "m87-synchrotron"};
     on_one_context([&](GpuSession& session) {
         Selection selection(4);
         for (const char* name : kScenes) {
@@ -59,6 +62,56 @@ TEST_CASE("picture layers: they add up to the picture, shares to one") {
             CHECK(least >= 0);
             CHECK(most <= 1 + kLayerError);
         }
+    });
+}
+
+// A cloud of this density in the middle of a scene's ball, which is left out.
+Scene with_cloud(Scene scene, MediumEmission emission) {
+    const Vec3 at = first_shape<BallSpec>(scene)->position;
+    scene.bodies.clear();
+    MediumSpec& medium = scene.medium.emplace();
+    medium.kind = MediumKind::kFormula, medium.emission = emission, medium.outer = 9, medium.steps = 256;
+    medium.formulas.density = fmt::format("20 * exp(-((x - {})^2 + (y - {})^2 + (z - {})^2) / 0.05)", at.x, at.y, at.z);
+    scene.object.mass_suns = 4e6, scene.object.distance_pc = 8000;
+    return scene;
+}
+
+TEST_CASE("picture layers: matter is hit where its light comes from, and has the depth of what stands there") {
+    constexpr double kRadius = 0.4, kPlace = 0.05, kDepth = 0.06;  // r_s: the cloud is 0.16 wide
+    on_one_context([&](GpuSession& session) {
+        session.renderer->want_delays(true);
+        for (const char* metric : {"minkowski", "schwarzschild", "kerr"})
+            for (const MediumEmission emission : {MediumEmission::kBlackBody, MediumEmission::kPowerLaw}) {
+                CAPTURE(metric);
+                Scene scene;
+                scene.spacetime.metric = metric;
+                scene.camera.width = 96, scene.camera.height = 54, scene.camera.r = 20, scene.camera.theta = 1.2;
+                scene.sky.kind = SkyKind::kBlack;
+                BallSpec& ball = add<BallSpec>(scene);
+                ball.position = {4, 5, 1}, ball.radius = kRadius;
+                const auto solid = cli::capture_layers(session, scene, nullptr);
+                const auto cloud = cli::capture_layers(session, with_cloud(scene, emission), nullptr);
+                REQUIRE(solid);
+                REQUIRE_MESSAGE(cloud, cloud.error().message());
+                // Where the ball is met nearest to the camera, in its first image.
+                std::size_t nearest = 0;
+                for (std::size_t i = 0; i < solid->rays.pixels.size(); ++i) {
+                    const float depth = solid->depths.depth[i], least = solid->depths.depth[nearest];
+                    if (solid->rays.pixels[i].hit != 0 && (least == 0 || depth < least)) nearest = i;
+                }
+                const RayPixel& hit = cloud->rays.pixels[nearest];
+                const double place = length(Vec3{hit.u, hit.v, hit.w} - ball.position),
+                             depth = cloud->depths.depth[nearest] - solid->depths.depth[nearest] - kRadius;
+                fmt::print("{}: hit {}, {:.3f} r_s beside the cloud's middle, {:.3f} r_s too deep\n", metric, hit.hit,
+                           place, depth);
+                CHECK(hit.hit == kMediumHit);
+                CHECK(cloud->depths.depth[nearest] == cloud->depths.medium[nearest]);
+                CHECK(std::abs(depth) < kDepth + (emission == MediumEmission::kBlackBody ? kRadius : 0.0));
+                CHECK(place < kPlace + (emission == MediumEmission::kBlackBody ? kRadius : 0.1));
+                // Where there is no matter nothing is hit.
+                CHECK(cloud->rays.pixels.front().hit == 0);
+                CHECK(cloud->depths.medium.front() == 0.0f);
+            }
     });
 }
 
