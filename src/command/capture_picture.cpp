@@ -66,7 +66,7 @@ Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawO
         captured.display = std::move(*picture);
     }
     tell_notes(session, options.listener);
-    if (options.raydata) captured.rays = session.renderer->ray_data();
+    if (options.raydata && !options.layers) captured.rays = session.renderer->ray_data();  // layers have them
     return captured;
 }
 
