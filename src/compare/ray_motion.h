@@ -17,9 +17,9 @@ struct RayMotion {
 using MovedPlace = std::function<Vec3(const RayPixel& pixel, double time)>;
 
 // now, next: ray data of one size, `time` apart. Of the sky's directions and of places on the disc and on bodies; the same image of them, by
-// Newton's method in `next`, between whose pixels rays are interpolated: to about a hundredth of a pixel where images are wider than a
-// few pixels (tests/unit/test_ray_motion.cpp). Not known: what the next picture does not show, light that is captured, stars, rims.
-// Cost: some 1 microsecond a pixel.
+// Newton's method in `next`, between whose pixels rays are interpolated by cubics: to 0.02 px where images are wider than some ten
+// pixels (tests/unit/test_ray_motion.cpp, tests/gpu/test_beside_picture.cpp). Not known: what the next picture does not show, light that is captured, stars, rims.
+// Cost: some 3 microseconds a pixel.
 RayMotion ray_motion(const RayFrame& now, const RayFrame& next, double time, const MovedPlace& moved);
 
 }  // namespace nullscope

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "command/capture_layers.h"
+#include "reference/frame_tracer.h"
 #include "render/picture_layers.h"
 #include "scene/bodies.h"
 #include "scenefile/scene_file.h"
@@ -216,6 +218,66 @@ TEST_CASE("beside the picture: ray data and layers are of it, and change nothing
                     CAPTURE(switched.name);
                     check_beside(session, scene, alone);
                 }
+    });
+}
+
+namespace {
+
+constexpr double kMotion_px = 0.02;
+
+// How far, in px, what a pixel sees is from where its motion vector says in the next picture; not a number beside an image's rim.
+double motion_error_px(const reference::FrameTracer& next, const RayPixel& seen, double x, double y) {
+    constexpr double kStep = 0.02;  // px
+    const auto place = [&](double to_x, double to_y) -> std::optional<Vec3> {
+        const RayPixel there = next.pixel(to_x, to_y, false);
+        if (there.hit != seen.hit || there.fate != seen.fate) return {};
+        return seen.hit == 0 ? there.sky : Vec3{there.u, there.v, there.w};
+    };
+    const auto here = place(x, y), right = place(x + kStep, y), down = place(x, y + kStep);
+    if (!here || !right || !down) return kNotANumber;
+    const Vec3 wanted = seen.hit == 0 ? seen.sky : Vec3{seen.u, seen.v, seen.w}, off = wanted - *here,
+               a = (*right - *here) / kStep, b = (*down - *here) / kStep;
+    const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), det = aa * bb - ab * ab;
+    return std::hypot((bb * dot(a, off) - ab * dot(b, off)) / det, (aa * dot(b, off) - ab * dot(a, off)) / det);
+}
+
+void check_motion(GpuSession& session, const char* name, int width) {
+    auto scene = load_scene(name);
+    REQUIRE_MESSAGE(scene, name);
+    scene->camera.width = width, scene->camera.height = width * 9 / 16;
+    scene->light.delay = false;  // what a disc's gas does meanwhile is not the camera's
+    Scene next = *scene;
+    next.camera.phi += 0.01, next.camera.theta += 0.004, next.camera.r *= 1.005, next.camera.yaw += 0.003;
+    session.renderer->want_delays(true);
+    const auto layers = cli::capture_layers(session, *scene, &next);
+    REQUIRE(layers);
+    const auto tracer = reference::FrameTracer::make(next);
+    REQUIRE(tracer);
+    std::vector<double> errors;
+    int beside = 0;
+    for (int y = 1; y < scene->camera.height; y += 5)
+        for (int x = 1; x < width; x += 5) {
+            const std::size_t i = layers->rays.index(x, y);
+            if (layers->motion->known[i] == 0.0f) continue;
+            const double off = motion_error_px(*tracer, layers->rays.pixels[i], x + 0.5 + layers->motion->right[i],
+                                               y + 0.5 - layers->motion->up[i]);
+            std::isfinite(off) ? errors.push_back(off) : void(++beside);
+        }
+    std::ranges::sort(errors);
+    fmt::print("{} {} px: {} motion vectors, off by {:.4f} px, 99 of 100 {:.4f}, median {:.5f}; {} beside\n", name,
+               width, errors.size(), errors.back(), errors[errors.size() * 99 / 100], errors[errors.size() / 2],
+               beside);
+    CHECK(errors.size() > 200);
+    CHECK(errors.back() < kMotion_px);
+}
+
+}  // namespace
+
+TEST_CASE("motion vectors lead to where the reference sees the same in the next picture") {
+    on_one_context([](GpuSession& session) {
+        check_motion(session, "kerr", 160);
+        if (depth() == Depth::kQuick) return;
+        for (const char* name : {"first-light", "gargantua", "kerr"}) check_motion(session, name, 320);
     });
 }
 
