@@ -13,6 +13,7 @@
 #define EMISSION_DEEPEST 0.7    // optical depth of a sample ...
 #define EMISSION_LEAST 0.0625   // ... that is not shorter than this part of the longest
 #define EMISSION_MOST 1.0e30
+#define EMISSION_MOST_LOG2 99.0
 
 // The light's direction of travel and frequency (over the camera's) for the observer of no angular momentum.
 vec4 medium_photon(MediumPlace place) {
@@ -40,6 +41,8 @@ vec4 medium_photon(MediumPlace place) {
 vec3 medium_glow(float temperature, float g) { return seen_black_body(log2(clamp(temperature, 1.0, 1.0e12)), g, frame.medium_law.x); }
 #endif
 
+float emission_number(float logarithm) { return logarithm > -120.0 ? exp2(min(logarithm, EMISSION_MOST_LOG2)) : 0.0; }
+
 MediumLight medium_emission(MediumPlace place, MediumMatter matter, float inside) {
     vec4 photon = medium_photon(place);
     vec3 light_way = vec3(photon.x, photon.y, photon.z);
@@ -47,28 +50,32 @@ MediumLight medium_emission(MediumPlace place, MediumMatter matter, float inside
     float gamma = sqrt(1.0 + dot(u, u));
     float doppler = max(gamma - dot(u, light_way), 1.0e-6);
     float g = 1.0 / (photon.w * doppler);
+    float log_g = log2(g);
     MediumLight light;
+#ifdef EFFECT_MEDIUM_BLACK_BODY
+    light.absorption = min(inside * matter.density * frame.medium_law.y / g, EMISSION_MOST);
+    light.emission = min(light.absorption * frame.medium_colour.rgb * medium_glow(matter.temperature, g), vec3(EMISSION_MOST));
+#else
+    // As logarithms: what dense matter emits, and what each of its particles does, may both have no room in a float.
+    float log_density = log2(max(matter.density, 1.0e-37));
 #ifdef EFFECT_MEDIUM_SYNCHROTRON
     vec3 seen = (light_way + u * (dot(u, light_way) / (1.0 + gamma) - 1.0)) / doppler;   // by who goes with the matter
-    float log_g = log2(g);
     float frequency = frame.medium_law.x * exp2(-frame.medium_seen.x * log_g);
-    float emitted = min(matter.density, 1.0e15) * frame.medium_law.y * synchrotron(matter, seen, frequency) / g;
-    float shifted = frequency / frame.medium_law.x;
-    float black = frame.medium_law.z * shifted * shifted * planck_temperature(matter.temperature, frequency);
-    light.emission = emitted * exp2(frame.medium_seen.y * log_g) * frame.medium_colour.rgb;
-    light.absorption = emitted / max(black, 1.0e-30);
+    float log_emitted = log_density + frame.medium_law.y + log2_synchrotron(matter, seen, frequency) - log_g;
+    float log_black = frame.medium_law.z - 2.0 * frame.medium_seen.x * log_g + log2_planck_temperature(matter.temperature, frequency);
+    float log_emission = log_emitted + frame.medium_seen.y * log_g;
+    float log_absorption = log_emitted - log_black;
+    bool shines = matter.density > 0.0 && matter.temperature >= COLDEST_K && matter.field > 0.0;
 #else
-#ifdef EFFECT_MEDIUM_BLACK_BODY
-    light.absorption = matter.density * frame.medium_law.y / g;
-    light.emission = light.absorption * frame.medium_colour.rgb * medium_glow(matter.temperature, g);
-#else
-    float log_g = log2(g);
-    light.emission = matter.density * exp2(frame.medium_law.x * log_g) * frame.medium_colour.rgb;
-    light.absorption = matter.density * exp2(frame.medium_law.y * log_g) * frame.medium_law.z;
+    float log_emission = log_density + frame.medium_law.w + frame.medium_law.x * log_g;
+    float log_absorption = log_density + frame.medium_law.z + frame.medium_law.y * log_g;
+    bool shines = matter.density > 0.0;
 #endif
+    float beyond = max(log_absorption - EMISSION_MOST_LOG2, 0.0);   // opaque, and as bright
+    inside = shines ? inside : 0.0;
+    light.absorption = inside * emission_number(log_absorption - beyond);
+    light.emission = inside * emission_number(log_emission - beyond) * frame.medium_colour.rgb;
 #endif
-    light.absorption = clamp(inside * light.absorption, 0.0, EMISSION_MOST);
-    light.emission = clamp(inside * light.emission, vec3(0.0), vec3(EMISSION_MOST));
     float longest = frame.medium_extent.z;
     longest = frame.medium_hole.y > 0.0 ? min(longest, medium_to_horizon(place)) : longest;
     light.step = clamp(EMISSION_DEEPEST / max(light.absorption * g, 1.0e-6), EMISSION_LEAST * longest, longest);

@@ -6,6 +6,7 @@
 
 #define ELECTRON_K 5.92989658e9         // m c^2/k
 #define GYRO_GHZ 2.79924899e-3          // e/(2 pi m c), GHz a gauss
+#define LOG2_E 1.44269504088896341
 #define PLANCK_K 0.0479924307           // h/k, K a GHz
 
 // K_2(x) exp(x) x^2/2 for x = 1/theta below 12, to 4e-6.
@@ -14,34 +15,33 @@ float bessel_part(float x) {
     return sqrt(top / (1.0 + 1.11883164 * x));
 }
 
-// A black body at a frequency (GHz): temperature of the same light by Rayleigh and Jeans' law, K.
-float planck_temperature(float temperature, float frequency) {
+// A black body at a frequency (GHz): log2 of the temperature of the same light by Rayleigh and Jeans' law, K.
+float log2_planck_temperature(float temperature, float frequency) {
     float t = max(temperature, 1.0);
-    float x = min(PLANCK_K * frequency / t, 80.0);
-    float low = 1.0 - x * (0.5 - x * (1.0 / 12.0));
-    float high = x / max(exp(x) - 1.0, 1.0e-3);
-    return t * (x < 0.02 ? low : high);
+    float x = PLANCK_K * frequency / t;
+    float low = log2(1.0 - min(x, 0.02) * (0.5 - min(x, 0.02) * (1.0 / 12.0)));
+    float high = log2(max(x, 1.0e-20)) - LOG2_E * x - log2(max(1.0 - exp(-x), 1.0e-3));
+    return log2(t) + (x < 0.02 ? low : high);
 }
 
-// way: of the light, where the matter rests; frequency in GHz.
-float synchrotron(MediumMatter matter, vec3 way, float frequency) {
+// log2 of it. way: of the light, where the matter rests; frequency in GHz.
+float log2_synchrotron(MediumMatter matter, vec3 way, float frequency) {
     float theta = clamp(matter.temperature, COLDEST_K, 1.0e14) / ELECTRON_K;
     float gyro = GYRO_GHZ * clamp(matter.field, 1.0e-6, 1.0e9);
-    float bessel = 2.0 * theta * theta * bessel_part(1.0 / theta);   // K_2(1/theta) exp(1/theta)
+    float log_bessel = 1.0 + 2.0 * log2(theta) + log2(bessel_part(1.0 / theta));   // K_2(1/theta) exp(1/theta)
 #ifdef FIELD_DIRECTED
     float sine = clamp(length(cross(way, matter.field_way)), 1.0e-3, 1.0);
-    float scale = (2.0 / 9.0) * gyro * theta * theta * sine;
-    float x = frequency / scale;
-    float third = exp2(log2(x) * (1.0 / 3.0));
-    float root = sqrt(x) + 1.88774862536 * sqrt(third);   // 2^(11/12)
-    float value = 1.13968 * scale / bessel * root * root * exp(1.0 / theta - third);
+    float log_scale = log2((2.0 / 9.0) * gyro * sine) + 2.0 * log2(theta);
+    float log_x = log2(frequency) - log_scale;
+    float third = exp2(log_x * (1.0 / 3.0));
+    // root = sqrt(x) + 2^(11/12) x^(1/6)
+    float log_root = log_x * (1.0 / 6.0) + log2(third + 1.88774862536);
+    return log2(1.13968) + log_scale - log_bessel + 2.0 * log_root + LOG2_E * (1.0 / theta - third);
 #else
-    float x = (2.0 / 3.0) * frequency / (gyro * theta * theta);
-    float third = exp2(log2(x) * (1.0 / 3.0));
-    float sixth = sqrt(third);
-    float quarter = sqrt(sqrt(x));
-    float value = 0.444305 * frequency / bessel * 4.0505 / sixth * (1.0 + 0.4 / quarter + 0.5316 / (quarter * quarter)) *
-                  exp(1.0 / theta - 1.8899 * third);
+    float log_x = log2((2.0 / 3.0) * frequency) - log2(gyro) - 2.0 * log2(theta);
+    float third = exp2(log_x * (1.0 / 3.0));
+    float quarter = exp2(log_x * -0.25);
+    return log2(0.444305 * 4.0505) + log2(frequency) - log_bessel - log_x * (1.0 / 6.0) + log2(1.0 + quarter * (0.4 + 0.5316 * quarter)) +
+           LOG2_E * (1.0 / theta - 1.8899 * third);
 #endif
-    return matter.temperature < COLDEST_K || matter.field <= 0.0 ? 0.0 : value;
 }

@@ -132,10 +132,10 @@ struct FrameData {
 #endif
 #ifdef BLOCK_MEDIUM_EMISSION
     vec4 medium_extent;    // radius and |z| where matter ends, longest sample, r_s; time, r_s/c
-    vec4 medium_law;       // power law: powers of g in the emission and in the absorption for each unit of the affine parameter, absorption where the
-                           //   density is 1; black body: log2 of the luminance of light 1, optical depth for each r_s where the density is 1;
-                           //   synchrotron: frequency (GHz), light for each r_s of 1e-20 erg/(s cm^3 Hz sr), light of a black body of 1 K at
-                           //   low frequency
+    vec4 medium_law;       // power law: powers of g in the emission and in the absorption for each unit of the affine parameter, log2 of the absorption
+                           //   where the density is 1, and of the light for each r_s; black body: log2 of the luminance of light 1, optical depth for each r_s where the density is 1;
+                           //   synchrotron: frequency (GHz), log2 of the light for each r_s of 1e-20 erg/(s cm^3 Hz sr), log2 of the light of a
+                           //   black body of 1 K at low frequency
     vec4 medium_seen;      // 1 where light is shifted, 3 where it is beamed, 0, 0
 #endif
 #ifdef BLOCK_MEDIUM_GRID

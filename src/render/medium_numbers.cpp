@@ -1,5 +1,6 @@
 #include "render/medium_numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,6 +14,10 @@ namespace {
 
 // Steps of the march, at least: of a flow's farthest matter, and of a disc's scale height at its inner rim.
 constexpr double kLeastStep = 1e-6, kLeastOfHeight = 0.1;
+
+constexpr double kMostLight = 1e30;
+// Of what may be 0: far below all that counts.
+double logarithm(double number) { return std::log2(std::max(number, 1e-300)); }
 
 // Powers of the frequency by which light that is seen with its frequency times g differs, and by which its intensity does.
 struct Seen {
@@ -28,8 +33,10 @@ std::array<double, 2> powers_of_g(const LightSpec& light, double spectral_index)
 
 void put_flow(FrameData& frame, const FramePlan& plan, const MediumSpec& medium) {
     const FlowNumbers flow = flow_numbers(medium, plan.scene.object.mass().value_or(0.0));
-    frame.medium_colour = {medium.brightness * flow.emission * medium.colour, 0};
-    frame.medium_flow = {1.0 / medium.radius, medium.flattening, medium.momentum, flow.absorption};
+    // Where it is opaque beyond what has room in a float it is as bright.
+    const double most = std::max({flow.absorption, flow.emission * medium.brightness, kMostLight}) / kMostLight;
+    frame.medium_colour = {medium.brightness * flow.emission / most * medium.colour, 0};
+    frame.medium_flow = {1.0 / medium.radius, medium.flattening, medium.momentum, flow.absorption / most};
     const auto [emission, absorption] = powers_of_g(plan.scene.light, medium.spectral_index);
     frame.medium_powers = {emission, absorption, 0, 0};
 }
@@ -57,18 +64,18 @@ void put_emission(FrameData& frame, const FramePlan& plan, const MediumSpec& med
     switch (medium.emission) {
         case MediumEmission::kPowerLaw: {
             const FlowNumbers flow = flow_numbers(medium, mass);
-            frame.medium_colour = {medium.brightness * flow.emission * medium.colour, 0};
             const auto [emission, absorption] = powers_of_g(light, medium.spectral_index);
-            frame.medium_law = {emission, absorption, flow.absorption, 0};
+            frame.medium_law = {emission, absorption, logarithm(flow.absorption), logarithm(flow.emission)};
             break;
         }
         case MediumEmission::kBlackBody:
             frame.medium_law = {log2_brightness(medium.temperature_K, light.bolometric), medium.opacity, 0, 0};
             break;
         case MediumEmission::kSynchrotron:
-            frame.medium_law = {medium.frequency_GHz,
-                                1e-20 * 100.0 * schwarzschild_radius_m(mass) / medium_light_cgs(medium.frequency_GHz),
-                                1.0 / kMediumLight_K, 0};
+            frame.medium_law = {
+                medium.frequency_GHz,
+                std::log2(1e-20 * 100.0 * schwarzschild_radius_m(mass) / medium_light_cgs(medium.frequency_GHz)),
+                -std::log2(kMediumLight_K), 0};
             break;
     }
 }

@@ -101,6 +101,43 @@ TEST_CASE("medium: closed forms of a thin sphere, a thick one and a slab") {
     });
 }
 
+TEST_CASE("medium: what one electron emits and how many there are may both have no room in a float") {
+    constexpr double kFlux = 1e-3;
+    struct Case {
+        const char *density, *temperature, *field;
+        double frequency_GHz;
+    };
+    const Case cases[] = {{"1e15", "1e9", "1000", 86},   {"1e16", "1e9", "1000", 86}, {"1e20", "6e8", "10", 20},
+                          {"1e24", "6e8", "10", 30},     {"1e29", "6e8", "10", 50},   {"1e29", "3e9", "1000", 230},
+                          {"1e-20", "1e12", "1e6", 1e3}, {"1e10", "1e10", "1e8", 1e9}};
+    on_every_context([&](GpuSession& session) {
+        for (const Case& c : cases) {
+            CAPTURE(c.density);
+            CAPTURE(c.frequency_GHz);
+            Scene scene = formula_scene("minkowski", 0, MediumEmission::kSynchrotron);
+            scene.camera.width = scene.camera.height = 15;
+            scene.medium->formulas = {.density = c.density, .temperature = c.temperature, .field = c.field};
+            scene.medium->frequency_GHz = c.frequency_GHz;
+            const double known = sum_of(reference_picture(scene)), made = sum_of(drawn(session, scene));
+            fmt::print("medium, {} electrons a cm^3 of {} K in {} G at {} GHz: {:.3e}, {:+.1e}\n", c.density,
+                       c.temperature, c.field, c.frequency_GHz, known, made / known - 1);
+            CHECK(known > 0);
+            CHECK(std::abs(made / known - 1) < kFlux);
+        }
+        // A power law likewise, thin and opaque.
+        for (const double absorption : {0.0, 1e30}) {
+            Scene scene = formula_scene("minkowski", 0, MediumEmission::kPowerLaw);
+            scene.camera.width = scene.camera.height = 15;
+            scene.medium->formulas.density = "1e28";
+            scene.medium->emissivity = absorption > 0 ? 1e-20 : 1e-46, scene.medium->absorption = absorption;
+            const double known = sum_of(reference_picture(scene)), made = sum_of(drawn(session, scene));
+            fmt::print("medium, power law, absorption {}: {:.3e}, {:+.1e}\n", absorption, known, made / known - 1);
+            CHECK(known > 0);
+            CHECK(std::abs(made / known - 1) < kFlux);
+        }
+    });
+}
+
 TEST_CASE("medium: matter by formula about holes is the reference's") {
     constexpr double kFlux = 1e-3, kPixel = 5e-3;
     struct Case {
