@@ -7,7 +7,12 @@
 
 // The brightest channel about as the display has it: a shoulder, and the square root for its encoding. 0 ... 1
 float edge_shown(vec3 light) {
-    float most = max(max(light.r, max(light.g, light.b)) * frame.image.w, 0.0);
+    float exposure = frame.image.w;
+#ifdef BLOCK_MEDIUM
+    // Of a picture that is a flux: what is for the eye changes no pixel's rays.
+    exposure = frame.medium_bound.w > 0.0 ? frame.medium_bound.w : exposure;
+#endif
+    float most = max(max(light.r, max(light.g, light.b)) * exposure, 0.0);
     return sqrt(most / (most + 0.6));
 }
 

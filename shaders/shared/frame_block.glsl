@@ -116,7 +116,8 @@ struct FrameData {
 #endif
 #ifdef BLOCK_MEDIUM
     vec4 medium_hole;    // a, radii of the outer and of the inner horizon; the radius within which no matter is looked for
-    vec4 medium_bound;   // radius beyond which there is none; of its march: least step, steps over what is enough, 0
+    vec4 medium_bound;   // radius beyond which there is none; of its march: least step, steps over what is enough; exposure by which
+                         //   edges are found (effect/edge.glsl) where the picture is a flux, else 0
     vec4 medium_colour;  // light of the densest matter for each r_s, without shift
 #endif
 #ifdef BLOCK_MEDIUM_FLOW

@@ -89,6 +89,15 @@ void put_grid(FrameData& frame, const MediumSpec& medium, const MediumGrid& grid
                           grid.horizon()};
 }
 
+// Of black and white in a picture of brightness temperatures, for effect/edge.glsl: brightness, colour and exposure are for the eye, and a flux
+// does not depend on them.
+constexpr double kFluxExposure = 0.1;
+double edge_exposure(const Scene& scene, const MediumSpec& medium) {
+    const bool alone = scene.sky.kind == SkyKind::kBlack && !scene.disc && scene.bodies.empty();
+    const double light = medium.brightness * std::max({medium.colour.x, medium.colour.y, medium.colour.z});
+    return medium.by_frequency() && alone && light > 0 ? kFluxExposure / light : 0.0;
+}
+
 }  // namespace
 
 void put_medium(FrameData& frame, const FramePlan& plan, const MediumGrid* grid) {
@@ -102,7 +111,7 @@ void put_medium(FrameData& frame, const FramePlan& plan, const MediumGrid* grid)
                          hole->outer > 0.0 ? hole->outer + kMediumAboveHorizon : -1.0};
     // Samples that begin or end beyond a sphere have a part within it.
     const double beyond = medium->by_place() ? 2.0 * medium->step * medium->outer / medium->steps : 0.0;
-    frame.medium_bound = {farthest + beyond, least, medium->step, 0};
+    frame.medium_bound = {farthest + beyond, least, medium->step, edge_exposure(plan.scene, *medium)};
     if (medium->by_place()) put_emission(frame, plan, *medium);
     if (medium->kind == MediumKind::kGrid && grid != nullptr) put_grid(frame, *medium, *grid);
     if (medium->kind == MediumKind::kFlow) put_flow(frame, plan, *medium);

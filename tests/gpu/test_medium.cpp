@@ -73,6 +73,29 @@ TEST_CASE("medium: the five test fluxes of the Event Horizon Telescope's compari
     });
 }
 
+TEST_CASE("medium: a flux does not depend on what is for the eye") {
+    constexpr double kSame = 1e-5;
+    on_every_context([&](GpuSession& session) {
+        double known = 0;
+        for (const double brightness : {0.001, 0.1, 10.0, 1e5})
+            for (const double exposure : {0.1, 1.0, 30.0}) {
+                CAPTURE(brightness);
+                CAPTURE(exposure);
+                Scene scene = flux_scene({1e6, 0, 100.0 / 3, 1, 0.9, 0.0255}, 24);
+                scene.sky.kind = SkyKind::kBlack;
+                scene.picture.refine = true, scene.camera.exposure_ev = std::log2(exposure);
+                scene.medium->brightness = brightness, scene.medium->colour = {0.2, 0.5, 1};
+                const Image<float> picture = drawn(session, scene);
+                double sum = 0;
+                for (int y = 0; y < picture.height; ++y)
+                    for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y)[2] / brightness;
+                known = known > 0 ? known : sum;
+                CHECK(session.renderer->refined_share() > 0.01);
+                CHECK(std::abs(sum / known - 1) < kSame);
+            }
+    });
+}
+
 TEST_CASE("medium: a smooth soft disc is the reference's") {
     // Steps of half a scale height along the plane; most in flat space, where light runs within the plane. A fifth of the step: 1/25 of it,
     // and what the reference's own steps leave.
