@@ -10,12 +10,15 @@ temperature follows from the gas's by R = (R_high beta^2 + R_low)/(1 + beta^2), 
 (Moscibrodzka, Falcke and Shiokawa 2016). Matter whose magnetization B^2/rho is above --sigma-cut has no density: simulations add gas there for
 their own stability.
 
-A dump whose spin is negative is mirrored, so that the hole turns eastward. Velocity and field are changed to the frames that the file wants: of
-the zero-angular-momentum observer (ZAMO), and of the matter.
+A dump whose spin is negative is turned by half a turn about the x axis, so that the hole turns eastward: theta becomes 180 - theta, phi
+becomes -phi. A line says so, and what the camera of a scene needs then. Velocity and field are changed to the frames that the file wants: of
+the zero-angular-momentum observer (ZAMO), and of the matter. The file's head keeps the command and the dump's SHA-256.
 """
 import argparse
+import hashlib
 import math
 import os
+import shlex
 import sys
 
 import numpy as np
@@ -32,54 +35,212 @@ def fail(text):
     sys.exit(f"convert_grmhd: {text}")
 
 
+PRIMITIVES = ("RHO", "UU", "U1", "U2", "U3", "B1", "B2", "B3")
+FARTHEST = 1e7                                  # M, of the cells
+LONGEST_NOTE = 1000                             # bytes of a line of the file's head
+
+# What codes write into their files, by which a file of theirs is known.
+OTHER_CODES = (("KHARMA or another code of Parthenon", lambda file: "Info" in file or "Params" in file or "Input" in file),
+               ("Athena++", lambda file: "NumMeshBlocks" in file.attrs or "MeshBlockSize" in file.attrs),
+               ("KORAL", lambda file: "quants" in file or "grid_out" in file),
+               ("HARMPI, H-AMR or another code without a group header", lambda file: "prims" not in file and "header" not in file))
+
+
+def said(text):
+    print(f"convert_grmhd: {text}", file=sys.stderr)
+
+
+def text_of(value):
+    """What stands in a text of HDF5, however it is stored."""
+    value = np.asarray(value).reshape(-1)
+    word = value[0] if value.size == 1 else ""
+    return (word.decode("utf-8", "replace") if isinstance(word, bytes) else str(word)).strip("\0 ")
+
+
+class File:
+    """The datasets and attributes of a dump, and which of them were asked for."""
+
+    def __init__(self, path):
+        self.path, self.items, self.used = path, {}, set()
+        try:
+            import h5py
+        except ImportError:
+            fail("needs h5py (pip install h5py)")
+        try:
+            with open(path, "rb") as file:
+                start = file.read(64)
+        except OSError as error:
+            fail(f"{path}: no dump: {error.strerror}")
+        if start.startswith(b"Athena binary output"):
+            fail(f"{path}: no dump of iharm3d's layout: it is AthenaK's binary output, which is not read")
+        if not h5py.is_hdf5(path):
+            fail(f"{path}: no dump of iharm3d's layout: it is no HDF5 file")
+        try:
+            with h5py.File(path, "r") as file:
+                self.code_of(file)
+                self.read(file, h5py)
+        except (OSError, KeyError, RuntimeError, ValueError, TypeError):
+            fail(f"{path}: no dump of iharm3d's layout: its HDF5 cannot be read: it is cut short or damaged, or packed by a filter that is not installed")
+
+    def code_of(self, file):
+        if "prims" in file and "header" in file:
+            return
+        known = next((name for name, is_of in OTHER_CODES if is_of(file)), None)
+        missing = " and ".join(name for name in ("prims", "header") if name not in file)
+        fail(f"{self.path}: no dump of iharm3d's layout: "
+             + (f"it looks like a file of {known}, which is not read" if known else f"it has no {missing}")
+             + "; allowed: a dataset prims and a group header")
+
+    def read(self, file, h5py):
+        for name, value in file.attrs.items():
+            self.items[f"attribute {name}"] = value
+        def add(name, item):
+            for key, value in item.attrs.items():
+                self.items[f"attribute {name}/{key}"] = value
+            if isinstance(item, h5py.Dataset):
+                self.items[name] = item[()] if name.startswith("header/") else None
+        file.visititems(add)
+        prims = file["prims"]
+        if not isinstance(prims, h5py.Dataset) or prims.dtype.kind not in "fiu":
+            fail(f"{self.path}: prims is no dataset of numbers")
+        self.prims = np.asarray(prims[()], dtype=np.float64)
+        self.used.add("prims")
+
+    def has(self, name):
+        return f"header/{name}" in self.items
+
+    def take(self, name):
+        if not self.has(name):
+            fail(f"{self.path}: the header has no {name}")
+        self.used.add(f"header/{name}")
+        return self.items[f"header/{name}"]
+
+    def number(self, name, least=-math.inf, most=math.inf, allowed=None):
+        """Of the header; as a scalar or an array of one."""
+        value = np.asarray(self.take(name))
+        if value.size != 1 or value.dtype.kind not in "fiub":
+            fail(f"{self.path}: header/{name} is no single number (shape {value.shape}, {value.dtype}); allowed: one number")
+        value = float(value.reshape(-1)[0])
+        if not (math.isfinite(value) and least <= value <= most):
+            fail(f"{self.path}: header/{name} is {value:g}; allowed: {allowed or f'{least:g} to {most:g}'}")
+        return value
+
+    def unused(self):
+        return sorted(name for name in self.items if name not in self.used)
+
+
 class Dump:
     """Density, energy, velocity and field of a dump, and its coordinates: lengths in M."""
 
     def __init__(self, path):
-        import h5py
-        try:
-            with h5py.File(path, "r") as file:
-                head = {}
-                file["header"].visititems(lambda name, item: head.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
-                self.prims = np.asarray(file["prims"], dtype=np.float64)
-        except (OSError, KeyError) as error:
-            fail(f"{path}: no dump of iharm3d's layout: {error}")
-        metric = head.get("metric", b"MKS")
-        self.metric = (metric.decode() if isinstance(metric, bytes) else str(metric)).upper()
+        file = self.file = File(path)
+        self.path = path
+        self.primitives(file)
+        self.coordinates(file)
+        self.check_cells(file)
+        self.check_numbers()
+        count = self.prims.shape[2]
+        times = round(2 * math.pi / (count * self.step[2]))
+        if times < 1 or abs(times * count * self.step[2] - 2 * math.pi) > 1e-3:
+            fail(f"{path}: the cells go through {count * self.step[2]:.6g} rad of phi; allowed: a whole part of a turn")
+        self.prims = np.tile(self.prims, (1, 1, times, 1))   # of a wedge: all round
+        self.turned = self.a < 0
+        if self.turned:
+            self.turn()
+
+    def primitives(self, file):
+        """Of all that the file has, those that are used, in their order."""
+        prims = file.prims
+        if prims.ndim != 4 or prims.shape[3] < 8 or min(prims.shape[:3]) < 1 or min(prims.shape[:2]) < 2:
+            fail(f"{self.path}: prims has the shape {prims.shape}; allowed: (n1, n2, n3, 8 or more), n1 and n2 at least 2")
+        for axis, name in enumerate(("n1", "n2", "n3")):
+            if file.has(name) and file.number(name) != prims.shape[axis]:
+                fail(f"{self.path}: header/{name} is {file.number(name):g}, but prims has the shape {prims.shape}; allowed: {prims.shape[axis]}")
+        if file.has("n_prim"):
+            file.number("n_prim", 8, prims.shape[3], f"8 to {prims.shape[3]}, the last side of prims")
+        at, others = list(range(8)), [f"number {n}" for n in range(8, prims.shape[3])]
+        if file.has("prim_names"):
+            names = [text_of(name).upper() for name in np.asarray(file.take("prim_names")).reshape(-1)]
+            missing = [name for name in PRIMITIVES if name not in names[:prims.shape[3]]]
+            if missing:
+                fail(f"{self.path}: header/prim_names has no {', '.join(missing)}; allowed: {', '.join(PRIMITIVES)}, and others")
+            at = [names.index(name) for name in PRIMITIVES]
+            others = [name for name in names if name not in PRIMITIVES] + others[max(len(names) - 8, 0):]
+        self.prims, self.others = prims[..., at], others
+
+    def coordinates(self, file):
+        self.metric = text_of(file.take("metric")).upper()
         if self.metric == "MMKS":
             self.metric = "FMKS"
         if self.metric not in ("MKS", "FMKS"):
-            fail(f"{path}: header/metric is {self.metric}; allowed: MKS, FMKS, MMKS")
-        if head.get("has_derefine_poles", 0):
-            fail(f"{path}: its cells near the poles are joined (header/has_derefine_poles), which is not read")
-        folder = next((f"geom/{name}/" for name in (self.metric.lower(), "mmks", "mks") if f"geom/{name}/a" in head), None)
+            fail(f"{self.path}: header/metric is {self.metric}; allowed: MKS, FMKS, MMKS")
+        if file.has("has_derefine_poles") and file.number("has_derefine_poles"):
+            fail(f"{self.path}: its cells near the poles are joined (header/has_derefine_poles), which is not read")
+        folders = ("fmks", "mmks", "mks") if self.metric == "FMKS" else ("mks", "mmks", "fmks")
+        folder = next((f"geom/{name}/" for name in folders if file.has(f"geom/{name}/a")), None)
         if folder is None:
-            fail(f"{path}: the header has no geom/mks/a or geom/mmks/a")
-        try:
-            self.a, self.hslope = float(head[folder + "a"]), float(head[folder + "hslope"])
-            self.start = [float(head[f"geom/startx{i}"]) for i in (1, 2, 3)]
-            self.step = [float(head[f"geom/dx{i}"]) for i in (1, 2, 3)]
-            self.gamma = float(head["gam"])
-            self.electron_index, self.proton_index = (float(head.get(name, usual)) for name, usual in
-                                                      (("gam_e", ELECTRON_INDEX), ("gam_p", PROTON_INDEX)))
-            if self.metric == "FMKS":
-                self.smooth, self.xt, self.alpha = (float(head[folder + name]) for name in ("mks_smooth", "poly_xt", "poly_alpha"))
-        except (KeyError, TypeError) as error:
-            fail(f"{path}: the header has no {error}")
-        if self.prims.ndim != 4 or self.prims.shape[3] < 8 or min(self.prims.shape[:3]) < 1 or min(self.prims.shape[:2]) < 2:
-            fail(f"{path}: prims has the shape {self.prims.shape}; allowed: (n1, n2, n3, 8 or more)")
-        if not abs(self.a) < 1:
-            fail(f"{path}: the spin is {self.a}; allowed: between -1 and 1")
-        times = round(2 * math.pi / (self.prims.shape[2] * self.step[2]))
-        if times < 1 or abs(times * self.prims.shape[2] * self.step[2] - 2 * math.pi) > 1e-3:
-            fail(f"{path}: the cells go through {self.prims.shape[2] * self.step[2]:.6g} rad of phi; allowed: a whole part of a turn")
-        self.prims = np.tile(self.prims[..., :8], (1, 1, times, 1))   # of a wedge: all round
-        if self.a < 0:   # seen in a mirror, the hole turns eastward: the file knows no other
-            self.a, self.prims = -self.a, self.prims[:, :, ::-1].copy()
-            self.prims[..., [4, 7]] *= -1
-            self.start[2] *= -1
-        if not np.isfinite(self.prims).all():
-            fail(f"{path}: prims has numbers that are not finite")
+            fail(f"{self.path}: the header has no {' or '.join(f'geom/{name}/a' for name in folders)}")
+        self.a = file.number(folder + "a", math.nextafter(-1, 0), math.nextafter(1, 0), "between -1 and 1")
+        self.hslope = file.number(folder + "hslope", 1e-6, 2 - 1e-6, "between 0 and 2, where theta grows with X2")
+        self.start = [file.number(f"geom/startx{i}") for i in (1, 2, 3)]
+        self.step = [file.number(f"geom/dx{i}", 1e-12, 1e6, "above 0") for i in (1, 2, 3)]
+        self.gamma = file.number("gam", 1 + 1e-6, 3, "above 1, up to 3")
+        self.electron_index, self.proton_index = (file.number(name, 1 + 1e-6, 3, "above 1, up to 3") if file.has(name) else usual for name, usual in
+                                                  (("gam_e", ELECTRON_INDEX), ("gam_p", PROTON_INDEX)))
+        if self.metric == "FMKS":
+            self.smooth = file.number(folder + "mks_smooth", 0, 100)
+            self.xt = file.number(folder + "poly_xt", 1e-3, 100)
+            self.alpha = file.number(folder + "poly_alpha", 2, 200)
+            if self.alpha % 2:
+                fail(f"{self.path}: header/{folder}poly_alpha is {self.alpha:g}; allowed: an even number, of which powers of negative numbers are known")
+        for name, axis_end in (("r_in", 0), ("Rin", 0), ("r_out", 1), ("Rout", 1)):
+            if file.has(folder + name):
+                self.check_end(file, folder + name, math.exp(min(self.start[0] + axis_end * file.prims.shape[0] * self.step[0], 100)))
+
+    def check_end(self, file, name, cells):
+        if abs(file.number(name) / cells - 1) > 0.01:
+            fail(f"{self.path}: header/{name} is {file.number(name):g}, but by geom/startx1 and geom/dx1 it is {cells:.6g} M; allowed: X1 is the logarithm of r")
+
+    def check_cells(self, file):
+        ends = [self.start[axis] + np.array([0, self.prims.shape[axis]]) * self.step[axis] for axis in range(3)]
+        if not (-20 < ends[0][0] and ends[0][1] < math.log(FARTHEST)):
+            fail(f"{self.path}: the cells go from X1 = {ends[0][0]:.6g} to {ends[0][1]:.6g}; allowed: logarithms of r in M, up to {math.log(FARTHEST):.4g}")
+        if not (ends[1][0] > -1e-4 and ends[1][1] < 1 + 1e-4):
+            fail(f"{self.path}: the cells go from X2 = {ends[1][0]:.6g} to {ends[1][1]:.6g} (header/geom/startx2, dx2); allowed: 0 to 1, as {self.metric} has it")
+        for x1 in self.middles(0)[[0, -1]]:
+            theta = self.theta(x1, self.middles(1))
+            if not (np.isfinite(theta).all() and (np.diff(theta) > 0).all() and theta[0] > 0 and theta[-1] < math.pi):
+                fail(f"{self.path}: theta goes from {theta[0]:.6g} to {theta[-1]:.6g} rad at r = {math.exp(x1):.4g} M; allowed: growing from 0 to pi "
+                     "(header/geom)")
+
+    def check_numbers(self):
+        for number, name in enumerate(PRIMITIVES):
+            wrong = np.argwhere(~np.isfinite(self.prims[..., number]))
+            if len(wrong):
+                fail(f"{self.path}: prims has numbers that are not finite: {name} of cell {tuple(map(int, wrong[0]))}, in {len(wrong)} cells")
+        low = np.argwhere(self.prims[..., 0] < 0)
+        if len(low):
+            fail(f"{self.path}: prims has densities below 0: RHO of cell {tuple(map(int, low[0]))}, in {len(low)} cells; allowed: 0 and above")
+        cold = int((self.prims[..., 1] < 0).sum())
+        if cold:
+            said(f"{self.path}: the energy UU is below 0 in {cold} cells, and counts as 0 there")
+
+    def turn(self):
+        """By half a turn about the x axis: the hole turns eastward, the file knows no other. theta -> pi - theta, phi -> -phi."""
+        for axis, whole in ((1, 1.0), (2, 0.0)):
+            self.start[axis] = whole - self.start[axis] - self.prims.shape[axis] * self.step[axis]
+        self.a, self.prims = -self.a, self.prims[:, ::-1, ::-1].copy()
+        self.prims[..., [3, 4, 6, 7]] *= -1
+
+    def say_rest(self):
+        names = self.file.unused() + [f"prims {name}" for name in self.others]
+        if names:
+            said(f"{self.path}: not used: {', '.join(names)}")
+        if any(name.startswith(("KEL", "KTOT")) for name in self.others):
+            said(f"{self.path}: electron entropies are not used: temperatures follow from --r-high and --r-low")
+        if self.turned:
+            said(f"{self.path}: the spin is below 0: all is turned by half a turn about the x axis. A camera at theta, phi of the dump is at "
+                 "camera.theta = 180 - theta, camera.phi = -phi, with camera.roll = 180 more")
 
     def horizon(self):
         return 1 + math.sqrt(1 - self.a ** 2)
@@ -214,15 +375,31 @@ def resampled(dump, numbers, first, wanted):
     return 0.5 * np.exp(places), thetas, out[..., :8]
 
 
-def write(path, spin, r, theta, phi, numbers):
+def note(text):
+    """A line of the file's head: no control characters, and not too long."""
+    line = text.encode("ascii", "backslashreplace").decode()
+    line = "".join(c if c.isprintable() else "?" for c in line)
+    return line if len(line) <= LONGEST_NOTE else line[:LONGEST_NOTE - 3] + "..."
+
+
+def sha256(path):
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def write(path, spin, r, theta, phi, numbers, notes):
     """phi: of the first node."""
     head = (f"nullscope-medium 1\ncoordinates kerr-schild\nspin {spin:.17g}\nr {r[0]:.17g} {r[-1]:.17g} {len(r)}\n"
-            f"theta {theta[0]:.17g} {theta[-1]:.17g} {len(theta)}\nphi {phi:.17g} {numbers.shape[2]}\ndata\n")
+            f"theta {theta[0]:.17g} {theta[-1]:.17g} {len(theta)}\nphi {phi:.17g} {numbers.shape[2]}\n"
+            + "".join(f"{key} {note(text)}\n" for key, text in notes) + "data\n")
     unfinished = f"{path}.part"
-    with open(unfinished, "wb") as out:
-        out.write(head.encode())
-        out.write(np.ascontiguousarray(numbers, dtype="<f4").tobytes())
-    os.replace(unfinished, path)
+    try:
+        with open(unfinished, "wb") as out:
+            out.write(head.encode())
+            out.write(np.ascontiguousarray(numbers, dtype="<f4").tobytes())
+        os.replace(unfinished, path)
+    except OSError as error:
+        fail(f"{path}: {error.strerror}")
 
 
 def main():
@@ -246,7 +423,10 @@ def main():
         fail(f"{dump.prims.shape[2]} cells around; allowed: at most 256")
     numbers, first = matter(dump, wanted)
     r, theta, grid = resampled(dump, numbers, first, wanted)
-    write(wanted.output, dump.a, r, theta, dump.middles(2)[0], grid)
+    phi = math.remainder(dump.middles(2)[0], 2 * math.pi)
+    notes = (("converter", shlex.join(["convert_grmhd.py"] + sys.argv[1:])), ("source", f"sha256 {sha256(wanted.dump)} {os.path.basename(wanted.dump)}"))
+    write(wanted.output, dump.a, r, theta, phi, grid, notes)
+    dump.say_rest()
     print(f"{wanted.output}: {len(r)} x {len(theta)} x {grid.shape[2]} nodes from {r[0]:.4g} to {r[-1]:.4g} r_s, spin {dump.a:g}")
 
 

@@ -16,7 +16,8 @@ namespace nullscope {
 namespace {
 
 constexpr std::size_t kLongestLine = 200, kBytes = sizeof(float) * MediumGrid::kNumbers;
-constexpr std::size_t kLargestFile = MediumGrid::kMostNodes * kBytes + 8 * kLongestLine;
+constexpr std::size_t kLongestNote = 1100;
+constexpr std::size_t kLargestFile = MediumGrid::kMostNodes * kBytes + 8 * kLongestLine + 2 * kLongestNote;
 constexpr double kFarthest = 1e6;  // r_s
 
 class Head {
@@ -41,6 +42,18 @@ public:
             return wrong(fmt::format("the line \"{}\" is expected here", key), form);
         words.erase(words.begin());
         return words;
+    }
+    // What follows `key` in the next line, if it is that line.
+    Result<std::string> note(std::string_view key) {
+        if (!rest_.starts_with(key) || rest_.substr(key.size(), 1) != " ") return std::string();
+        ++line_;
+        const std::size_t end = rest_.substr(0, kLongestNote).find('\n');
+        if (end == std::string_view::npos)
+            return wrong(fmt::format("the line \"{}\" is too long", key),
+                         fmt::format("at most {} bytes", kLongestNote));
+        std::string text = without_controls(trim(rest_.substr(key.size(), end - key.size())));
+        rest_.remove_prefix(end + 1);
+        return text;
     }
     Result<double> number(const std::string& word, const char* what, double least, double most) const {
         const auto value = parse_number(word);
@@ -111,6 +124,9 @@ Result<MediumGrid> MediumGrid::parse(std::string_view bytes, const std::string& 
     TRY(first, head.number((*around)[0], "first phi", -2 * std::numbers::pi, 2 * std::numbers::pi));
     TRY(around_count, head.count((*around)[1], "nodes of phi", 1, kMostAround));
     grid.around_ = {*first, 2 * std::numbers::pi / *around_count, *around_count};
+    TRY(converter, head.note("converter"));
+    TRY(source, head.note("source"));
+    grid.converter_ = *converter, grid.source_ = *source;
     TRY(data, head.words("data", 0, "data"));
 
     const auto r = static_cast<std::size_t>(*ring_count), t = static_cast<std::size_t>(*polar_count),

@@ -7,6 +7,8 @@
 //     r FIRST LAST COUNT             nodes at equal steps of ln r; r_s
 //     theta FIRST LAST COUNT         nodes at equal steps of the polar angle; rad
 //     phi FIRST COUNT                nodes all round, at equal steps of the azimuth; rad
+//     converter TEXT                 the command that made the file   } may be left out
+//     source TEXT                    what it was made from            }
 //     data
 // Then follow eight numbers of each node, 32-bit floats with the lowest byte first: phi changes fastest, then theta, then r, as of an array
 // of shape (r, theta, phi, 8).
@@ -46,6 +48,8 @@ public:
 
     double spin() const { return spin_; }
     bool kerr_schild() const { return kerr_schild_; }
+    const std::string& converter() const { return converter_; }  // empty: the file does not say
+    const std::string& source() const { return source_; }
     double nearest() const;  // r of the first node and of the last one, r_s
     double farthest() const;
     double horizon() const;       // of a hole of this spin, r_s
@@ -61,6 +65,7 @@ public:
 private:
     bool kerr_schild_ = true;
     double spin_ = 0;
+    std::string converter_, source_;
     Axis rings_, polar_, around_;
     std::vector<float> numbers_;
 };

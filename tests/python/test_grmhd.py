@@ -1,7 +1,9 @@
 """The converter of GRMHD dumps: a made dump of known matter becomes the grid that is known, and the program draws it."""
+import hashlib
 import math
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -25,8 +27,9 @@ def kerr_schild(r, theta, a):
     return flat + 2 * r / sigma * np.outer(null, null)
 
 
-def dump(path, metric="MKS", spin=SPIN, hslope=0.3, spoil=None, turns=1):
-    """Matter that falls from rest far away: E = 1, L = 0, u_r = -sqrt(2r (r^2 + a^2))/Delta in Boyer and Lindquist's; density r^-1.5."""
+def dump(path, metric="MKS", spin=SPIN, hslope=0.3, spoil=None, turns=1, pole=1):
+    """Matter that falls from rest far away: E = 1, L = 0, u_r = -sqrt(2r (r^2 + a^2))/Delta in Boyer and Lindquist's; density r^-1.5. pole -1: the same, told
+    in coordinates of which the hole's axis is the other way round."""
     n = (40, 24, 8)
     x_in = math.log(1.2)
     start, step = (x_in, 0.0, 0.0), (math.log(60) / n[0], 1 / n[1], 2 * math.pi / n[2] / turns)
@@ -66,6 +69,9 @@ def dump(path, metric="MKS", spin=SPIN, hslope=0.3, spoil=None, turns=1):
             squares[i, j] = b @ native @ b
     if spoil:
         spoil(prims)
+    if pole < 0:   # theta -> pi - theta, phi -> -phi: nothing is mirrored
+        prims = prims[:, ::-1, ::-1].copy()
+        prims[..., [3, 4, 6, 7]] *= -1
     with h5py.File(path, "w") as file:
         file["prims"] = prims.astype(np.float32 if not spoil else np.float64)
         head = file.create_group("header")
@@ -73,10 +79,17 @@ def dump(path, metric="MKS", spin=SPIN, hslope=0.3, spoil=None, turns=1):
         for axis in range(3):
             head[f"geom/startx{axis + 1}"], head[f"geom/dx{axis + 1}"] = start[axis], step[axis]
         folder = f"geom/{'mks' if metric == 'MKS' else 'mmks'}/"
-        head[folder + "a"], head[folder + "hslope"] = spin, hslope
+        head[folder + "a"], head[folder + "hslope"] = pole * spin, hslope
         if metric != "MKS":
             head[folder + "poly_xt"], head[folder + "poly_alpha"], head[folder + "mks_smooth"] = xt, alpha, smooth
     return squares
+
+
+def handed(prims):
+    """A spot that is not on the equator, and a field that winds about the axis: in a mirror it winds the other way."""
+    prims[12:20, 15:19, 2:4, 0] *= 50
+    prims[..., 6:8] = 0
+    prims[:, :14, :, 7] = 0.3 * np.abs(prims[:, :14, :, 5])
 
 
 def convert(*arguments):
@@ -100,17 +113,17 @@ class Converter(unittest.TestCase):
         self.folder = pathlib.Path(holder.name)
 
     def test_matter_is_what_the_dump_was_made_of(self):
-        for metric, name, spin in (("MKS", "MKS", SPIN), ("FMKS", "MMKS", SPIN), ("MKS", "MKS", -SPIN)):   # the last is mirrored
-            with self.subTest(metric=metric, spin=spin):
+        for metric, name, axis in (("MKS", "MKS", 1), ("FMKS", "MMKS", 1), ("MKS", "MKS", -1)):
+            with self.subTest(metric=metric, axis=axis):
                 path, grid = self.folder / f"{metric}.h5", self.folder / f"{metric}.grid"
-                squares = dump(path, name, spin)
+                squares = dump(path, name, pole=axis)
                 done = convert(path, "-o", grid, "--density-unit", UNIT, "--sigma-cut", 1e9, "--nodes", 60, 40, "--outer", 12)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 lines, r, theta, numbers = read(grid)
                 self.assertEqual((float(lines["spin"]), lines["coordinates"]), (SPIN, "kerr-schild"))
                 r, theta = 2 * r[:, None, None], theta[None, :, None]    # M
                 density = UNIT / 1.67262192e-24 * r ** -1.5 * np.ones_like(numbers[..., 0])
-                density[:, :, 0 if spin > 0 else -1] *= 2
+                density[:, :, 0] *= 2
                 np.testing.assert_allclose(numbers[..., 0], density, rtol=1e-4)
                 delta, sigma = r * r - 2 * r + SPIN ** 2, r * r + SPIN ** 2 * np.cos(theta) ** 2
                 area = (r * r + SPIN ** 2) ** 2 - SPIN ** 2 * delta * np.sin(theta) ** 2
@@ -129,6 +142,60 @@ class Converter(unittest.TestCase):
                     kelvin = 1836.15267 * (2 / 3) / (ratio + 2) * energy / rho * 5.92989658e9     # indices 4/3 and 5/3
                     np.testing.assert_allclose(numbers[0, 0, 1, 1], kelvin, rtol=1e-3)
                 self.draw(grid, SPIN, 11)
+
+    def test_a_dump_of_negative_spin_is_turned_and_not_mirrored(self):
+        grids = {}
+        for name, metric, spin, axis in (("east", "MKS", SPIN, 1), ("west", "MKS", SPIN, -1), ("east-f", "MMKS", SPIN, 1), ("west-f", "MMKS", SPIN, -1),
+                                         ("still", "MKS", 0.0, 1), ("still-told", "MKS", 0.0, -1)):
+            path = self.folder / f"{name}.h5"
+            dump(path, metric, spin, spoil=handed, pole=axis)
+            done = convert(path, "-o", self.folder / f"{name}.grid", "--density-unit", UNIT, "--sigma-cut", 1e9, "--nodes", 24, 24, "--outer", 12)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual("camera.theta = 180 - theta, camera.phi = -phi, with camera.roll = 180 more" in done.stderr, name.startswith("west"))
+            grids[name] = read(self.folder / f"{name}.grid")
+        for east, west in (("east", "west"), ("east-f", "west-f")):
+            for known, made in zip(grids[east][1:3], grids[west][1:3]):
+                np.testing.assert_allclose(made, known, rtol=1e-6)
+            scale = np.maximum(np.abs(grids[east][3]).max(axis=(0, 1, 2)), 1e-30)
+            np.testing.assert_allclose(grids[west][3] / scale, grids[east][3] / scale, atol=1e-5)
+            self.assertAlmostEqual(math.cos(float(grids[west][0]["phi"].split()[0]) - float(grids[east][0]["phi"].split()[0])), 1, places=6)
+            mirror = grids[east][3][:, :, ::-1] * [1, 1, 1, 1, -1, 1, 1, -1]
+            self.assertGreater(np.abs(mirror / scale - grids[east][3] / scale).max(), 0.1)
+        # A hole that does not rotate is not turned: its pictures show what the line about the camera means.
+        pictures = [self.picture(name, 0, 10, f"theta = {theta}\nphi = {phi}\nroll = {roll}\nfov = 25")
+                    for name, theta, phi, roll in (("still", 130, -20, 180), ("still-told", 50, 20, 0), ("still", 50, 20, 0), ("still", 130, -20, 0))]
+        def off(a, b):
+            said = subprocess.run([PROGRAM, "compare", pictures[a], pictures[b]], capture_output=True, text=True).stdout
+            return float(re.search(r"^mean\s+(\S+)", said, re.M)[1])
+        self.assertLess(off(1, 0), 0.02 * min(off(1, 2), off(1, 3)))
+
+    def test_the_file_says_what_it_was_made_from_and_what_was_not_used(self):
+        path, grid = self.folder / "said.h5", self.folder / "said.grid"
+        dump(path)
+        with h5py.File(path, "r+") as file:
+            file["t"], file["header/version"] = 100.0, np.bytes_("iharm-alpha-3.6")
+            file["header/n1"], file["header/n_prim"] = np.array([40]), 10
+            file["header/prim_names"] = np.array([b"RHO", b"UU", b"U1", b"U2", b"U3", b"B1", b"B2", b"B3", b"KTOT", b"KEL0"])
+            file.attrs["title"] = "a torus"
+            prims = np.concatenate([file["prims"][()], np.full((40, 24, 8, 2), 7)], axis=3)
+            gam = file["header/gam"][()]
+            del file["prims"], file["header/gam"]
+            file.create_dataset("prims", data=prims.astype(">f4"))
+            file["header/gam"] = np.array([[gam]])
+        done = convert(path, "-o", grid, "--density-unit", UNIT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for word in ("attribute title", "header/version", " t,", "prims KTOT", "prims KEL0"):
+            self.assertEqual(done.stderr.count(word), 1, (word, done.stderr))
+        self.assertIn("electron entropies are not used", done.stderr)
+        self.assertNotIn("header/n1", done.stderr)
+        lines = read(grid)[0]
+        self.assertEqual(lines["source"], f"sha256 {hashlib.sha256(path.read_bytes()).hexdigest()} said.h5")
+        self.assertTrue(lines["converter"].startswith("convert_grmhd.py ") and lines["converter"].endswith(f"--density-unit {UNIT}"), lines["converter"])
+        self.draw(grid, SPIN, 11)
+        plain = self.folder / "plain.grid"
+        dump(self.folder / "plain.h5")
+        self.assertEqual(convert(self.folder / "plain.h5", "-o", plain, "--density-unit", UNIT).stderr, "")
+        np.testing.assert_array_equal(read(grid)[3], read(plain)[3])
 
     def test_magnetized_matter_is_left_out_and_a_wedge_goes_all_round(self):
         path, grid = self.folder / "half.h5", self.folder / "half.grid"
@@ -152,18 +219,105 @@ class Converter(unittest.TestCase):
         subprocess.run([sys.executable, "-c", block], cwd=self.folder, check=True)
         self.draw(self.folder / "flow.grid", 0, 10)
 
-    def draw(self, grid, spin, outer):
-        scene, picture = self.folder / "scene.toml", self.folder / "picture.png"
-        scene.write_text(f'[spacetime]\nmetric = "kerr"\nspin = {spin}\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "grid"\n'
-                         f'file = "{grid.name}"\nemission = "synchrotron"\nfield_direction = "file"\nouter = {outer}\ndensity_scale = 1e4\n')
+    def picture(self, name, spin, outer, camera=""):
+        scene = self.folder / "scene.toml"
+        picture = self.folder / f"picture-{name}-{hash(camera) % 10 ** 9}.png"
+        scene.write_text(f'[spacetime]\nmetric = "kerr"\nspin = {spin}\n[camera]\n{camera}\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\n'
+                         f'kind = "grid"\nfile = "{name}.grid"\nemission = "synchrotron"\nfield_direction = "file"\nouter = {outer}\ndensity_scale = 1e4\n')
         done = subprocess.run([PROGRAM, "capture", scene, "--size", "64x36", "-o", picture], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
+        return picture
+
+    def draw(self, grid, spin, outer):
+        picture = self.picture(grid.stem, spin, outer)
         black = self.folder / "black.toml"
         black.write_text('[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n')
         dark = self.folder / "black.png"
         subprocess.run([PROGRAM, "capture", black, "--size", "64x36", "-o", dark], check=True, capture_output=True)
         said = subprocess.run([PROGRAM, "compare", picture, dark], capture_output=True, text=True).stdout
         self.assertGreater(float(re.search(r"^mean\s+(\S+)", said, re.M)[1]), 1e-3)
+
+    def test_what_is_wrong_with_a_dump_is_said_with_its_dataset_and_what_is_allowed(self):
+        good = self.folder / "good.h5"
+        dump(good)
+        def of(change):
+            path = self.folder / "changed.h5"
+            shutil.copy(good, path)
+            with h5py.File(path, "r+") as file:
+                change(file)
+            return path
+        def put(name, value):
+            def change(file):
+                if f"header/{name}" in file:
+                    del file[f"header/{name}"]
+                file[f"header/{name}"] = value
+            return change
+        def without(name):
+            return lambda file: file.__delitem__(name)
+        def cells(index, value):
+            return lambda file: file["prims"].__setitem__(index, value)
+        def names(*words):
+            return put("prim_names", np.array(words, dtype="S8"))
+        eight = (b"RHO", b"UU", b"U1", b"U2", b"U3", b"B1", b"B2", b"B3")
+        def to_pi(file):   # X2 is theta
+            put("geom/dx2", math.pi / 24)(file)
+        cases = ((to_pi, "from X2 = 0 to 3.14159", "allowed: 0 to 1"), (put("geom/startx2", -0.5), "X2 = -0.5", "allowed: 0 to 1"),
+                 (put("geom/startx1", 30.0), "X1 = 30", "logarithms of r"), (put("geom/mks/r_out", 500.0), "geom/mks/r_out is 500", "X1 is the logarithm of r"),
+                 (put("n1", 41), "header/n1 is 41", "allowed: 40"), (put("n3", np.array([4])), "header/n3 is 4", "allowed: 8"),
+                 (put("n_prim", 9), "header/n_prim is 9", "8 to 8"), (put("gam", math.nan), "header/gam is nan", "above 1"),
+                 (put("gam", np.array([1.3, 1.4])), "no single number", "allowed: one number"), (put("gam", np.bytes_("4/3")), "no single number", "allowed"),
+                 (put("geom/dx1", 0.0), "geom/dx1 is 0", "above 0"), (put("geom/mks/hslope", 2.5), "hslope is 2.5", "between 0 and 2"),
+                 (without("header/geom/mks/hslope"), "has no geom/mks/hslope", ""), (without("header/metric"), "has no metric", ""),
+                 (put("metric", np.bytes_("BHAC_MKS")), "metric is BHAC_MKS", "allowed: MKS"), (put("metric", np.bytes_("FMKS")), "has no geom/mks/mks_smooth", ""),
+                 (put("geom/mks/a", 1.0), "geom/mks/a is 1", "between -1 and 1"), (without("header/geom/mks/a"), "no geom/mks/a or", ""),
+                 (names(*eight[:7]), "has no B3", "allowed: RHO"), (cells((3, 4, 5, 0), -1), "RHO of cell (3, 4, 5)", "0 and above"),
+                 (cells((3, 4, 5, 6), math.inf), "not finite: B2 of cell (3, 4, 5)", ""), (put("has_derefine_poles", np.bool_(True)), "joined", ""))
+        out = self.folder / "out.grid"
+        for change, *words in cases:
+            done = convert(of(change), "-o", out, "--density-unit", UNIT)
+            self.assertEqual(done.returncode, 1, (words, done.stderr))
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            for word in words + ["changed.h5"]:
+                self.assertIn(word, done.stderr)
+            self.assertFalse(out.exists())
+        # Primitives are found by their names.
+        def shuffled(file):
+            names(*eight[::-1])(file)
+            file["prims"][...] = file["prims"][()][..., ::-1]
+        for change, name in ((lambda file: None, "good"), (shuffled, "shuffled")):
+            done = convert(of(change), "-o", self.folder / f"{name}.grid", "--density-unit", UNIT)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        np.testing.assert_array_equal(read(self.folder / "shuffled.grid")[3], read(self.folder / "good.grid")[3])
+
+    def test_files_of_other_codes_are_named(self):
+        def kharma(file):
+            file.create_group("Info").attrs["OutputFormatVersion"] = 3
+            file["prims.rho"] = np.ones((2, 4, 4, 4))
+        def athena(file):
+            file.attrs["NumMeshBlocks"], file.attrs["Coordinates"] = 2, "kerr-schild"
+            file["prim"] = np.ones((5, 2, 4, 4, 4))
+        def koral(file):
+            file["quants/rho"], file["header/version"] = np.ones((4, 4, 4)), np.bytes_("KORALv2")
+        def table(file):
+            file["prims"], file["header"] = np.array([(1, 2.0)], dtype=[("a", "i4"), ("b", "f8")]), 3
+        out = self.folder / "out.grid"
+        for name, make, words in (("kharma", kharma, "KHARMA"), ("athena", athena, "Athena++"), ("koral", koral, "KORAL"), ("table", table, "prims is no dataset")):
+            path = self.folder / f"{name}.h5"
+            with h5py.File(path, "w") as file:
+                make(file)
+            done = convert(path, "-o", out, "--density-unit", UNIT)
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+            self.assertIn(words, done.stderr)
+        binary, short = self.folder / "flow.bin", self.folder / "short.h5"
+        binary.write_bytes(b"Athena binary output version=1.1\n")
+        dump(short)
+        short.write_bytes(short.read_bytes()[:3000])
+        for path, words in ((binary, "AthenaK"), (short, "cut short or damaged")):
+            done = convert(path, "-o", out, "--density-unit", UNIT)
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+            self.assertIn(words, done.stderr)
+        done = convert(self.folder / "short.h5", "-o", self.folder / "none" / "out.grid", "--density-unit", UNIT)
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
 
     def test_what_is_no_dump_gets_one_line(self):
         good = self.folder / "good.h5"

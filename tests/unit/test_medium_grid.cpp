@@ -53,6 +53,8 @@ TEST_CASE("medium grid: files that are none are refused with their line or node"
         {changed(good, "theta 0.05", "theta nan"), 5, "first theta = nan", "[0, 3.1]"},
         {changed(good, "phi 0 3", "phi 0 257"), 6, "nodes of phi = 257", "[1, 256]"},
         {changed(good, "data", "date"), 7, "\"data\" is expected", "data"},
+        {changed(good, "data", "source " + std::string(2000, 'x') + "\ndata"), 7, "\"source\" is too long", "1100"},
+        {changed(good, "data", "source a\nconverter b\ndata"), 8, "\"data\" is expected", "data"},
         {changed(changed(changed(good, "10 5\n", "10 1024\n"), " 4\nphi", " 2048\nphi"), "phi 0 3", "phi 0 256"), 7,
          "536870912 nodes", "at most 16777216"},
         {good.substr(0, good.size() - 1), 7, "1919 bytes follow", "1920 of 60 nodes"},
