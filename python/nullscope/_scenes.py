@@ -11,6 +11,8 @@ SceneLike = _core.Scene | str | os.PathLike | Mapping   # what every function ta
 
 
 def _value(value):
+    if hasattr(value, "item") and not getattr(value, "ndim", 0):   # of NumPy
+        value = value.item()
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (str, os.PathLike)):
@@ -19,8 +21,6 @@ def _value(value):
         return "{" + ", ".join(f"{json.dumps(str(key))} = {_value(item)}" for key, item in value.items()) + "}"
     if isinstance(value, (list, tuple)) or (hasattr(value, "tolist") and getattr(value, "ndim", 0)):
         return "[" + ", ".join(map(_value, value)) + "]"
-    if hasattr(value, "item"):   # of NumPy
-        value = value.item()
     if isinstance(value, int):
         return str(value)
     if isinstance(value, float):

@@ -166,6 +166,15 @@ class Numbers(Test):
             few = ns.worldline({"spacetime": metric, "camera": camera}, 600.0, 3)["phi"]
             self.assertLess(abs(few - phi[::1000]).max(), 1e-9)   # however few the times
 
+    def test_scenes_take_numbers_of_numpy(self):
+        given = {"camera": {"r": np.float32(8), "size": np.array([64, 36])}, "picture": {"samples": np.int64(2)},
+                 "object": {"name": np.str_("m87")}, "time": np.array(3.0)}
+        plain = {"camera": {"r": 8.0, "size": [64, 36]}, "picture": {"samples": 2}, "object": {"name": "m87"}, "time": 3.0}
+        self.assertEqual(ns.scene(given).text, ns.scene(plain).text)
+        for number in (np.bool_(True), np.array(True)):    # no key takes it, but TOML knows it
+            with self.assertRaisesRegex(ns.Error, "boolean"):
+                ns.scene({"camera": {"r": number}})
+
 
 def errors():
     """Calls with something wrong, of every function."""
