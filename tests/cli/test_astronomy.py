@@ -120,6 +120,15 @@ class Fits(support.CliTest):
         self.assertGreater(row, 200)
         self.assertLess(math.hypot(cards["CRPIX1"] - 0.5 - column, 320 - (cards["CRPIX2"] - 0.5) - row), 0.1)
 
+    def test_scenes_of_m87_are_bright_in_the_south(self):
+        for scene in ("m87", "m87-synchrotron"):     # Event Horizon Telescope Collaboration 2019 (ApJL 875, L1)
+            _, planes = self.fits(scene, "--size", "64x36")
+            light, height = planes[0], 36     # rows from the top, which is north
+            south, north = (sum(map(sum, light[rows])) for rows in (slice(height // 2, None), slice(None, height // 2)))
+            west, east = (sum(sum(row[columns]) for row in light) for columns in (slice(32, None), slice(None, 32)))
+            self.assertGreater(south, 1.3 * north, scene)
+            self.assertLess(max(east, west) / min(east, west) - 1, south / north - 1, scene)
+
     def test_other_pictures_have_other_coordinates_or_none(self):
         cards, _ = self.fits("first-light", "--size", "64x36")     # no object
         self.assertEqual((cards["CTYPE1"], cards["CTYPE2"], cards["OBJECT"]), ("CALN-TAN", "CALT-TAN", "First light"))
