@@ -7,6 +7,7 @@
 #define MEDIUM_SAMPLES 4      // of a span
 #define MEDIUM_LEAST 1.0e-4   // what of the light behind comes through where nothing more is looked for
 #define MEDIUM_LONGEST 0.5    // of a ray's step, or rad
+#define MEDIUM_FARTHEST 0.99  // of r, in one jump
 
 struct MediumSum {
     vec3 light;
@@ -75,10 +76,10 @@ MediumSum medium_add(MediumSum sum, MediumLight found, float way, float along) {
 }
 
 // How far to go on where matter is `free` away at least, and was `before` a jump of `length` ago: along rays that run beside it farther than
-// `free`, as long as they are nearly straight.
+// `free`, as long as they are nearly straight. From far away in several jumps: one would end as exactly as its length is rounded.
 float medium_jump(float free, float before, float length, float r) {
     float closer = (before - free) / max(length, 1.0e-20);
-    return max(free, min(0.9 * free / max(closer, 0.5), 0.15 * r));
+    return min(max(free, min(0.9 * free / max(closer, 0.5), 0.15 * r)), MEDIUM_FARTHEST * r);
 }
 
 // empty: nothing is there.

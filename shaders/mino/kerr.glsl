@@ -47,7 +47,8 @@ struct SpinState {
     float psi;
     float drag;
 #ifdef NEEDS_LIGHT_TIMES
-    float travel_time;        // T: v at the camera less v here
+    float travel_time;        // T: v at the camera less v here, but for what `afar` says
+    int afar;                 // AFAR_NOT ...
 #endif
 #ifdef EFFECT_SPIN_FALL
     bool ingoing;     // psi belongs to phi~
@@ -128,6 +129,11 @@ float spin_turning_at(SpinRay ray, SpinState at) { return spin_drag(ray, at.y.w)
 // outward, and inward by 2 (r_* - r_*') more: regular at the horizon and at the sky. Where the ray turns |zeta'| has a kink; there, with
 // -zeta'/(E zeta) taken off, which is all of it for straight light,
 //     t' = (-zeta'/(E zeta))' + X (X (1/zeta - a^2 - c) + a L)/(E delta) + delta K/E + zeta''/(E zeta) + a (L - a E (1 - n_z^2)).
+// Of rays that come in from afar T is some 2 r: floats have no digits left for what it is next to the hole. They hold T + 2 r_* on their way in,
+// and T from where they may turn, both less 2 r_* of the camera (frame.delay.w).
+#define AFAR_NOT 0
+#define AFAR_TURNED 1
+#define AFAR_INWARD 2
 #define LAG_SLOW 0.1         // |zeta'|^2 over X^2 below which a ray may be about to turn
 #define LAG_LEAST_ENERGY 1.0e-3
 
@@ -161,15 +167,17 @@ float travel_time_rate(SpinRay ray, bool keeps, vec4 y) {
 }
 
 // What T grows by beside the integral of travel_time_rate, from (zeta, zeta') to (zeta, zeta').
-float travel_time_jump(SpinRay ray, bool keeps, vec2 from, vec2 to) {
+float travel_time_jump(SpinRay ray, bool keeps, int afar, vec2 from, vec2 to) {
     bool outward = from.y < 0.0;
     float low = max(from.x, 1.0e-12);
     float high = max(to.x, 1.0e-12);
     float radii = spin_tortoise(ray, low) - spin_tortoise(ray, high);
     float twice = 2.0 * radii;
-    float level = outward ? 0.0 : twice;
+    bool comes_in = afar == AFAR_INWARD;
+    float level = outward || comes_in ? 0.0 : twice;
     float energy = max(-ray.energy, LAG_LEAST_ENERGY);
-    float turning = radii + (from.y / low - to.y / high) / energy;
+    float before = comes_in ? 2.0 * spin_tortoise(ray, low) : 0.0;
+    float turning = radii + (from.y / low - to.y / high) / energy - before;
     return keeps ? level : turning;
 }
 #endif

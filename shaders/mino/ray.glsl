@@ -78,6 +78,7 @@ SpinState spin_start(SpinRay ray, vec3 n) {
     at.psi = 0.0;
 #ifdef NEEDS_LIGHT_TIMES
     at.travel_time = 0.0;
+    at.afar = frame.delay.y > 0.0 && at.v.w > 0.0 ? AFAR_INWARD : AFAR_NOT;
 #endif
 #ifdef EFFECT_SPIN_FALL
     at.ingoing = ingoing_stays(ray, at.y.w, at.v.w);

@@ -78,6 +78,7 @@ struct SpinSegment {
 #ifdef NEEDS_LIGHT_TIMES
     bool keeps;
     float travel_time;
+    int afar;
     vec2 start;       // zeta, zeta'
     SpinSum travel_times;
 #endif
@@ -109,6 +110,7 @@ SpinSegment spin_segment(SpinRay ray, SpinState from, SpinState to, float h) {
 #ifdef NEEDS_LIGHT_TIMES
     segment.keeps = travel_time_keeps(ray, from, to.y, to.v.w);
     segment.travel_time = from.travel_time;
+    segment.afar = from.afar;
     segment.start = vec2(from.y.w, from.v.w);
     segment.travel_times = spin_sum(h * travel_time_rate(ray, segment.keeps, from.y), h * travel_time_rate(ray, segment.keeps, y1), h * travel_time_rate(ray, segment.keeps, y2), h * travel_time_rate(ray, segment.keeps, y3),
                         h * travel_time_rate(ray, segment.keeps, to.y));
@@ -125,11 +127,14 @@ float segment_turned(SpinRay ray, SpinSegment segment, float s, vec4 y) {
 float segment_psi(SpinRay ray, SpinSegment segment, SpinState to) { return segment.winding < 0.0 ? segment_turned(ray, segment, 1.0, to.y) : to.psi; }
 
 #ifdef NEEDS_LIGHT_TIMES
-// How long ago, by the camera's clock, the light left.
+// How long ago, by the camera's clock, the light left, less the camera's r.
 float segment_delay(SpinRay ray, SpinSegment segment, float s, vec4 y) {
     float climb = spin_slope_at(segment.arc, s).w / segment.h;
-    float travel_time = segment.travel_time + travel_time_jump(ray, segment.keeps, segment.start, vec2(y.w, climb)) + spin_sum_to(segment.travel_times, s);
-    return travel_time + spin_tortoise(ray, max(y.w, 1.0e-12)) - frame.delay.z;
+    float travel_time = segment.travel_time + travel_time_jump(ray, segment.keeps, segment.afar, segment.start, vec2(y.w, climb)) + spin_sum_to(segment.travel_times, s);
+    float radius = spin_tortoise(ray, max(y.w, 1.0e-12));
+    float from_near = travel_time + radius - frame.delay.z;
+    float from_afar = travel_time + (segment.keeps && segment.afar == AFAR_INWARD ? -radius : radius) + frame.delay.x;
+    return segment.afar == AFAR_NOT ? from_near : from_afar;
 }
 #endif
 

@@ -85,7 +85,8 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
     to.drag = spin_turning_at(ray, to);
 #ifdef NEEDS_LIGHT_TIMES
     bool keeps = travel_time_keeps(ray, from, to.y, to.v.w);
-    to.travel_time = from.travel_time + travel_time_jump(ray, keeps, vec2(from.y.w, from.v.w), vec2(to.y.w, to.v.w)) +
+    to.afar = keeps ? from.afar : min(from.afar, AFAR_TURNED);
+    to.travel_time = from.travel_time + travel_time_jump(ray, keeps, from.afar, vec2(from.y.w, from.v.w), vec2(to.y.w, to.v.w)) +
              h * (travel_time_rate(ray, keeps, from.y) * (151.0 / 2142.0) + travel_time_rate(ray, keeps, y1) * (25.0 / 522.0) + travel_time_rate(ray, keeps, y2) * (275.0 / 684.0) +
                   travel_time_rate(ray, keeps, y3) * (275.0 / 252.0) - travel_time_rate(ray, keeps, y4) * (78125.0 / 112404.0) + travel_time_rate(ray, keeps, to.y) * (1.0 / 12.0));
 #endif

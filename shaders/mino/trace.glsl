@@ -283,7 +283,7 @@ Trace trace_pixel(vec2 pixel) {
 #endif
     SpinState sky = spin_to_sky(ray, now);
 #ifdef NEEDS_LIGHT_TIMES
-    trace.travel_time = sky.travel_time;
+    trace.travel_time = sky.travel_time + (sky.afar == AFAR_NOT ? 0.0 : frame.delay.w);
 #endif
     vec2 turn = sine_cosine(sky.psi);
     trace.sky =

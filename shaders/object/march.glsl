@@ -210,8 +210,10 @@ float march_farthest(RayPlace place) {
 #endif
 }
 
+#define MARCH_FARTHEST 0.99   // of r, in one step: it ends as exactly as its length is rounded
+
 // How far on from far outside there is none for sure.
-float march_outside(RayPlace place, float reach) { return place.r - 1.5 * reach; }
+float march_outside(RayPlace place, float reach) { return min(place.r - 1.5 * reach, MARCH_FARTHEST * place.r); }
 
 // How far to the next sample of a body, by the room that there is. Next to a horizon, where light is slow, a moving body could pass
 // unnoticed between two samples.

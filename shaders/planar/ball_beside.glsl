@@ -9,6 +9,6 @@
 bool ball_beside(int i, Trace trace, vec3 tangent) {
     vec3 middle = body_form(i).xyz;
     float reach = sqrt(dot(middle, middle)) + body_form(i).w;
-    float pixel = reach * trace.pixel_angle / max(trace.s, 1.0e-9);
+    float pixel = reach * trace.pixel_angle / trace_sine(trace);
     return abs(dot(cross(radial_direction(), tangent), middle)) > body_form(i).w + pixel;
 }

@@ -42,7 +42,7 @@ vec2 delay_at_camera(Trace trace) {
     return vec2((frame.shift.x + frame.shift.z) * minus, (frame.shift.x - frame.shift.z) * plus);
 }
 
-// Of the place at r after the swept angle phi; zeta_along: d zeta/d phi there.
+// Of the place at r after the swept angle phi, less the camera's r (frame.delay); zeta_along: d zeta/d phi there.
 float light_time(Trace trace, float phi, float r, float zeta_along) {
     float sigma = trace.escapes ? 1.0 : -1.0;
     float zeta = 1.0 / r;
@@ -67,7 +67,7 @@ float light_time(Trace trace, float phi, float r, float zeta_along) {
     float side_in = sides.y;
     float side = trace.escapes ? side_out : side_in;
     float ratio = max(one_minus, 1.0e-30) * near * energy * r / max(side, 1.0e-30);   // both roots add up to 1
-    float start = -(frame.shift.z + frame.shift.x * trace.c) / (energy * frame.shift.y);   // W/zeta
+    float start = -sides.x / (energy * frame.shift.y);   // (W - 1)/zeta: from afar far less than the distance
     float logarithm = log(ratio);
 #ifdef EFFECT_INNER_HORIZON
     logarithm -= inner_horizon_time(zeta);
@@ -95,11 +95,12 @@ float sky_delay(Trace trace) {
     return time;
 }
 #else
-// Straight light: the distance.
+// Straight light: the distance D, less the camera's r; a product where it is small: D^2 - r0^2 = r (r - 2 r0 cos(phi)).
 float light_time(Trace trace, float phi, float r, float zeta_along) {
     float r0 = 1.0 / frame.shift.y;
     float half_sine = sin(0.5 * phi);
-    return sqrt((r - r0) * (r - r0) + 4.0 * r * r0 * half_sine * half_sine);
+    float distance = sqrt((r - r0) * (r - r0) + 4.0 * r * r0 * half_sine * half_sine);
+    return r * (r - 2.0 * r0 * (1.0 - 2.0 * half_sine * half_sine)) / (distance + r0);
 }
 
 float sky_delay(Trace trace) { return (trace.c > 0.0 ? trace.s * trace.s / (1.0 + trace.c) : 1.0 - trace.c) / frame.shift.y; }

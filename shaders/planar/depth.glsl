@@ -45,8 +45,8 @@ float affine_depth(vec2 pixel, Trace trace, float along) {
     float start = -(frame.shift.z + frame.shift.x * trace.c) / (energy * frame.shift.y);   // u'/(q u)
     return trace.doppler / energy * (start - clamp(end.along * per_q, -1.0, 1.0) / max(end.zeta, 1.0e-12) - 0.5 * per_q * bend);
 #else
-    float zeta = frame.shift.y * sin(max(trace.phi_end - along, 0.0)) / max(trace.s, 1.0e-12);
-    return trace.doppler * light_time(trace, along, 1.0 / max(zeta, 1.0e-12), 0.0);
+    float zeta = frame.shift.y * sin(max(trace.phi_end - along, 0.0)) / trace_sine(trace);
+    return trace.doppler * (light_time(trace, along, 1.0 / max(zeta, 1.0e-12), 0.0) + 1.0 / frame.shift.y);
 #endif
 }
 

@@ -71,18 +71,19 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
 #endif
 #else
     float zeta0 = frame.shift.y;
-    float sin_rest = sin(max(trace.phi_end - crossing.phi, 0.0));
-    float zeta = max(zeta0 * sin_rest / max(trace.s, 1.0e-12), 1.0e-12);
+    float sine = trace_sine(trace);
+    float sin_rest = max(sine * cos(crossing.phi) - trace.c * sin(crossing.phi), 0.0);   // of alpha - phi: alpha itself has no digits from afar
+    float zeta = max(zeta0 * sin_rest / sine, 1.0e-12);
     float r = 1.0 / zeta;
-    float r_along = r * cos(trace.phi_end - crossing.phi) / max(sin_rest, 1.0e-6);
-    float r_across = -r * r * zeta0 * sin(crossing.phi) / max(trace.s * trace.s, 1.0e-12);
+    float r_along = r * (trace.c * cos(crossing.phi) + sine * sin(crossing.phi)) / max(sin_rest, 1.0e-6);
+    float r_across = -r * r * zeta0 * sin(crossing.phi) / (sine * sine);
 #ifdef NEEDS_ZETA_SLOPE
     crossing.zeta_slope = -r_along * zeta * zeta;
 #endif
 #endif
     // Moving the pixel by d(chi) about the radial axis: the crossing moves along the ray and round the disc by
     // d phi_1 = height hN / rho^2, d lambda = height / rho^2 with hN = orbital normal . disc normal, rho^2 = 1 - hN^2.
-    float inverse_s = 1.0 / max(trace.s, 1.0e-6);
+    float inverse_s = 1.0 / trace_sine(trace);
     float orbital = -dot(crossed_direction(trace), disc_axis()) * inverse_s;
     float turn = frame.disc_normal.w / max((1.0 - orbital) * (1.0 + orbital), 1.0e-6) * inverse_s * trace.pixel_angle;
     float across_r = r_along * orbital * turn;

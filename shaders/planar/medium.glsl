@@ -19,7 +19,7 @@ struct MediumWalk {
 MediumWalk medium_walk(Trace trace, vec2 pixel) {
     MediumWalk walk;
     walk.tangent = place_tangent(trace);
-    walk.along = 0.0;
+    walk.along = medium_start(trace);
     walk.spans = MEDIUM_MOST_SPANS;
     walk.sum = medium_nothing();
     return walk;

@@ -6,6 +6,8 @@
 
 #define MEDIUM_BY_LENGTH false
 
+float medium_start(Trace trace) { return 0.0; }
+
 float medium_end(Trace trace, float until) { return min(until, trace.phi_end); }
 
 RayPlace medium_at(Trace trace, vec3 tangent, float along) { return place_of(trace, tangent, along); }
@@ -32,4 +34,4 @@ RayPlace medium_next(Trace trace, vec3 tangent, float along, RayPlace from, floa
 float medium_part(RayPlace place, float length) { return min(place_part(place, length), MEDIUM_LONGEST); }
 
 // Of the affine parameter by the angle, over r^2.
-float medium_rate(Trace trace) { return trace.doppler * frame.shift.y / max(trace.s, 1.0e-9); }
+float medium_rate(Trace trace) { return trace.doppler * frame.shift.y / trace_sine(trace); }

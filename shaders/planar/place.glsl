@@ -59,8 +59,9 @@ RayPlace place_of(Trace trace, vec3 tangent, float phi) {
     place.r_along = outward * l_slope * point.along;
     place.r_across = outward * l_slope * point.across;
     // (dl/dphi)^2 = R^4 q^2 - R^2
-    float q = max(q_sine(trace.c) / max(trace.s, 1.0e-9), 1.0e-9);
-    float r2q2 = 0.5 + sqrt(0.25 + q * q * place.r_along * place.r_along);
+    float q = max(q_sine(trace.c) / trace_sine(trace), 1.0e-9);
+    float steep = min(q * abs(place.r_along), 1.0e18);   // from far away its square has no room in a float
+    float r2q2 = 0.5 + sqrt(0.25 + steep * steep);
     place.radius = sqrt(r2q2) / q;
     place.speed = r2q2 / q;
 #else
@@ -72,7 +73,7 @@ RayPlace place_of(Trace trace, vec3 tangent, float phi) {
 #else
     // zeta = zeta0 sin(alpha - phi)/sin(alpha), written so that rays towards the centre keep their digits.
     float zeta0 = frame.shift.y;
-    float s = max(trace.s, 1.0e-9);
+    float s = trace_sine(trace);
     float cotangent = trace.c / s;
     float zeta = zeta0 * (cos_phi - cotangent * sin_phi);
     float along = -zeta0 * (sin_phi + cotangent * cos_phi);
@@ -85,8 +86,9 @@ RayPlace place_of(Trace trace, vec3 tangent, float phi) {
     place.r_across = -across * place.r * place.r;
 #endif
 #ifdef MARCH_PASSES
-    float along_pixel = abs(place.r_across) * place.r * inversesqrt(max(place.r_along * place.r_along + place.r * place.r, 1.0e-30));
-    place.pixel = 0.5 * trace.pixel_angle * (along_pixel + place.r * abs(sin_phi) / max(trace.s, 1.0e-9));
+    float steep_along = place.r_along / place.r;
+    float along_pixel = abs(place.r_across) * inversesqrt(1.0 + steep_along * steep_along);
+    place.pixel = 0.5 * trace.pixel_angle * (along_pixel + place.r * abs(sin_phi) / trace_sine(trace));
 #endif
     vec3 e = radial_direction();
     place.outward = cos_phi * e + sin_phi * tangent;
@@ -119,7 +121,7 @@ float place_slowness(RayPlace place) {
 // Coordinate time of light for a swept angle, dt/dphi = r^2 q/A, and how that changes with the angle.
 vec2 place_time_slope(Trace trace, RayPlace place) {
     float slowness = place_slowness(place);
-    float rate = place.r * place.r * q_sine(trace.c) / max(trace.s, 1.0e-9) * slowness;
+    float rate = place.r * place.r * q_sine(trace.c) / trace_sine(trace) * slowness;
     float change = 2.0 / place.r;
 #ifdef EFFECT_LENSING
     float zeta = 1.0 / place.r;
@@ -163,7 +165,10 @@ RayPlace place_seen(Trace trace, vec3 tangent, float phi) {
 }
 
 // r_s by rad.
-float place_speed(RayPlace place) { return sqrt(place.r_along * place.r_along + place.r * place.r); }
+float place_speed(RayPlace place) {
+    float steep = place.r_along / place.r;   // the square of r_along itself has no room in a float from far away
+    return place.r * sqrt(1.0 + steep * steep);
+}
 
 // d(place)/d(phi)
 vec3 place_velocity(RayPlace place) { return place.r_along * place.outward + place.r * place.onward; }
@@ -174,9 +179,9 @@ float place_part(RayPlace place, float length) {
     // dphi = q/R^2 along a way on which R grows by no more than the way itself.
     return length * place.radius / (place.speed * (place.radius + length));
 #else
-    float speed = inversesqrt(place.r_along * place.r_along + place.r * place.r);
-    float y = length * place.r * speed;
-    float x = place.r + length * place.r_along * speed;
+    float steep = place.r_along / place.r;
+    float y = length * inversesqrt(1.0 + steep * steep);
+    float x = place.r + y * steep;
     return arc_tangent2(max(y, 1.0e-30), x);
 #endif
 }
@@ -185,14 +190,16 @@ float place_part(RayPlace place, float length) {
 float place_pixel(Trace trace, RayPlace place, float phi) {
     float speed = place_speed(place);
     float along = abs(place.r_across) * place.r / max(speed, 1.0e-20);
-    float across = place.r * abs(sin(phi)) / max(trace.s, 1.0e-9);
+    float across = place.r * abs(sin(phi)) / trace_sine(trace);
     return 0.5 * trace.pixel_angle * (along + across);
 }
+
+#define PLACE_NEAREST 1.0e-6   // as TRACE_NEAREST: closer to the radial direction the cross product is all rounding
 
 // How a place moves with the pixel: by an angle within the plane, and turned about the radial direction.
 PixelSides solid_sides(Trace trace, RayPlace place) {
     PixelSides sides;
     sides.along = place.r_across * trace.pixel_angle * place.outward;
-    sides.across = cross(radial_direction(), place.at) * (trace.pixel_angle / max(trace.s, 1.0e-6));
+    sides.across = cross(radial_direction(), place.at) * (trace.pixel_angle / max(trace.s, PLACE_NEAREST * min(frame.shift.y, 1.0)));
     return sides;
 }

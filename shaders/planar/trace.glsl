@@ -56,6 +56,10 @@ float swept_angle(float along) { return along; }  // of a place on the ray, by w
 float path_angle(Trace trace) { return trace.phi_end; }   // swept to the end
 #endif
 
+// n x e's length as a divisor: rays that pass a distant camera's hole have small ones.
+#define TRACE_NEAREST 1.0e-9   // r_s from the centre, of a straight ray
+float trace_sine(Trace trace) { return max(trace.s, TRACE_NEAREST * min(frame.shift.y, 1.0)); }
+
 vec3 radial_direction() { return vec3(frame.radial.x, frame.radial.y, frame.radial.z); }
 
 #ifdef EFFECT_ZOOM
@@ -128,7 +132,9 @@ Trace trace_pixel(vec2 pixel) {
 #endif
 #endif
 #ifdef SLOT_MEDIUM
-    trace.side.x += dot(trace.side, trace.side) < 1.0e-14 ? 1.0e-7 : 0.0;   // matter is followed by the swept angle
+    // Matter is followed by the swept angle. The ray passes the centre at least 1e-7 r_s away.
+    float aside = 1.0e-7 * min(frame.shift.y, 1.0);
+    trace.side.x += dot(trace.side, trace.side) < aside * aside ? aside : 0.0;
 #endif
     trace.s = sqrt(dot(trace.side, trace.side));
 #ifdef EFFECT_LENSING

@@ -87,7 +87,9 @@ struct FrameData {
     vec4 sky_pattern_second;
 #endif
 #ifdef BLOCK_LIGHT_TIMES
-    vec4 delay;        // x, y of A = (1 - x zeta)(1 - y zeta); the camera's part of light times, of rays to the sky and of others (planar/delay.glsl)
+    vec4 delay;        // x, y of A = (1 - x zeta)(1 - y zeta); the camera's part of light times, of rays to the sky and of others (planar/delay.glsl);
+                       //   about a rotating hole r_* - r of the camera, 1 if it is far away, r_* + r, 2 r_* (mino/kerr.glsl).
+                       //   Delays of places, and times that they are taken from, are less by the camera's r: from afar that has no digits left for them
 #endif
 #ifdef BLOCK_DISC_FLOW
     vec4 disc_winding; // scene time over the life of a copy, modulo 4096; 1/life; Omega^2 = zeta^3 (z - w zeta)

@@ -76,7 +76,7 @@ PixelData ray_data(Trace trace) {
                 data.fate = 4.0;
                 data.angle = swept_angle(crossing.phi);
 #ifdef NEEDS_LIGHT_TIMES
-                data.delay = disc_delay(trace, crossing);
+                data.delay = disc_delay(trace, crossing) + 1.0 / frame.shift.y;
 #endif
             }
         }
@@ -86,7 +86,7 @@ PixelData ray_data(Trace trace) {
     if (solid.object != 0 && data.fate != 4.0) {
         data.fate = 4.0;
 #ifdef NEEDS_LIGHT_TIMES
-        data.delay = place_light_time(trace, solid.place, solid.phi);
+        data.delay = place_light_time(trace, solid.place, solid.phi) + 1.0 / frame.shift.y;
 #endif
         if (data.hit == 0.0) {
             data.hit = float(solid.object);

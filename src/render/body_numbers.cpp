@@ -58,19 +58,20 @@ struct FormOf {
     FrameVector operator()(const SphereSpec& sphere) const {
         if (sphere.amplitude > 0.0) {
             const double pulse = 2.0 * M_PI / sphere.period;
-            return {sphere.radius, sphere.amplitude, std::remainder(pulse * plan.scene.time, 2.0 * M_PI), pulse};
+            return {sphere.radius, sphere.amplitude, std::remainder(pulse * late_time(plan), 2.0 * M_PI), pulse};
         }
         const Silhouette edge = silhouette(*plan.light, family, plan.scene.camera.r, sphere.radius);
         return {sphere.radius, 1.0 / sphere.radius, edge.sine, edge.cosine};
     }
     FrameVector operator()(const CylinderSpec& c) const { return {c.inner, c.outer, c.height, 0}; }
     FrameVector operator()(const BallSpec& ball) const {
-        if (path != nullptr) return {path->from, 1.0 / path->step, path->speed, ball.radius};
+        if (path != nullptr)  // from the scene's time on to late_time()
+            return {path->from - (plan.scene.time - late_time(plan)), 1.0 / path->step, path->speed, ball.radius};
         return {ball.position, ball.radius};
     }
     FrameVector operator()(const SurfaceSpec& s) const {
         return {s.bound, 2 * s.bound / s.steps, static_cast<double>(clearances.first_cell(solid_of(s))),
-                plan.scene.time};
+                late_time(plan)};
     }
 };
 
@@ -86,7 +87,7 @@ std::array<FrameVector, 3> spot_numbers(const SpotSpec& spot, const FramePlan& p
     if (!light.doppler) u_t = 1.0 / lapse, u_phi = 0.0;
     if (!light.gravity) u_t *= lapse, u_phi *= lapse;
     if (!light.lensing) u_phi /= lapse;
-    return {{{spot.r, std::remainder(spot.phase + omega * plan.scene.time, 2.0 * M_PI), omega, 2.0 * M_PI / spot.count},
+    return {{{spot.r, std::remainder(spot.phase + omega * late_time(plan), 2.0 * M_PI), omega, 2.0 * M_PI / spot.count},
              {spot.size * spot.size, spot.brightness, std::log2(spot.temperature_K),
               log2_brightness(spot.temperature_K, light.bolometric)},
              {u_t, u_phi, 0, 0}}};
@@ -167,11 +168,15 @@ void put_patterns(FrameData& frame, const Scene& scene) {
     put_material(frame.sky_pattern_map, frame.sky_pattern_colour, frame.sky_pattern_second, dome);
 }
 
+double late_time(const FramePlan& plan) {
+    return plan.scene.time - (plan.effects.contains(Effect::kDelay) ? plan.scene.camera.r : 0.0);
+}
+
 void put_moving(FrameData& frame, const FramePlan& plan) {
     const auto& disc = plan.scene.disc;
     if (!disc || disc->flow != DiscFlowKind::kKepler) return;
     const auto [first, second] = circular_rate_numbers(*plan.matter);
-    const double lives = plan.scene.time / disc->flow_life;
+    const double lives = late_time(plan) / disc->flow_life;
     frame.disc_winding = {lives - kCopies * std::floor(lives / kCopies), 1.0 / disc->flow_life, first, second};
 }
 

@@ -116,7 +116,8 @@ void put_sky(FrameData& frame, const FramePlan& plan, const TextureFacts& textur
     frame.point_spread = {M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0};
 }
 
-void put_disc(FrameData& frame, const Scene& scene, int passed, const TextureFacts& textures) {
+void put_disc(FrameData& frame, const FramePlan& plan, const TextureFacts& textures) {
+    const Scene& scene = plan.scene;
     const DiscSpec disc = scene.disc.value_or(DiscSpec{});
     frame.disc_normal = {{0, 0, 1}, plane_height(scene.camera.theta)};
     frame.disc_x = {{1, 0, 0}, scene.disc ? disc.inner : 1e30};  // no disc: no radius is on it
@@ -124,9 +125,10 @@ void put_disc(FrameData& frame, const Scene& scene, int passed, const TextureFac
     if (!scene.disc) return;
     frame.disc_map = {std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
                       textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1))};
-    frame.disc_surface = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(passed)};
+    frame.disc_surface = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(plan.passed)};
     if (disc.material.texture == TextureKind::kGas)
-        frame.disc_gas = {disc.gas.contrast, disc.gas.winding / (2 * M_PI), disc.rotation / (2 * M_PI), scene.time};
+        frame.disc_gas = {disc.gas.contrast, disc.gas.winding / (2 * M_PI), disc.rotation / (2 * M_PI),
+                          late_time(plan)};
     frame.disc_gas_colour = {disc.brightness * disc.material.colour, 0};
     const double hottest_K = textures.disc_temperature_K.value_or(disc.temperature_K);
     if (disc.emission == DiscEmission::kThermal)
@@ -174,7 +176,7 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
         frame.sky_light = {sky_light(scene.light, *sky_K, g_gravity, motion_is_seen(matter, observer, scene)),
                            std::log2(*sky_K)};
     put_sky(frame, plan, textures);
-    put_disc(frame, scene, plan.passed, textures);
+    put_disc(frame, plan, textures);
     put_medium(frame, plan, textures.grid);
     frame.bloom = {scene.picture.bloom, 0, 0, 0};
     if (const auto& part = camera.part)

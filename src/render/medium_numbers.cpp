@@ -50,7 +50,7 @@ void put_gas(FrameData& frame, const FramePlan& plan, const MediumSpec& medium) 
                              log2_brightness(medium.temperature_K, plan.scene.light.bolometric), 1.0 / medium.edge,
                              1.0 / std::hypot(1.0, kGasHeights * medium.thickness)};
     frame.medium_gas_noise = {medium.gas.contrast, medium.gas.winding / (2.0 * M_PI),
-                              medium.flow == DiscFlowKind::kKepler ? plan.scene.time : 0.0, 0};
+                              medium.flow == DiscFlowKind::kKepler ? late_time(plan) : 0.0, 0};
     frame.medium_gas_orbit = {first, second, 0, 0};
 }
 
@@ -58,7 +58,7 @@ void put_emission(FrameData& frame, const FramePlan& plan, const MediumSpec& med
     const LightSpec& light = plan.scene.light;
     const double mass = plan.scene.object.mass().value_or(0.0);
     const auto [shift, beaming] = seen_light(light);
-    frame.medium_extent = {medium.outer, medium.height, 2.0 * medium.outer / medium.steps, plan.scene.time};
+    frame.medium_extent = {medium.outer, medium.height, 2.0 * medium.outer / medium.steps, late_time(plan)};
     frame.medium_colour = {medium.brightness * medium.colour, 0};
     frame.medium_seen = {shift, beaming, 0, 0};
     switch (medium.emission) {

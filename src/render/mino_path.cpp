@@ -53,8 +53,13 @@ void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     frame.spin_turn = {camera.r > outer ? azimuth_ahead(*metric_, camera.r) : 0.0, a / (outer - inner),
                        metric_->charge2(), 0};
     if (plan.effects.contains(Effect::kSpinRing)) write_ring(plan, frame);
-    // r_* of the camera, or r where its clock is v - r: what T less r_* of a place is delayed by.
-    frame.delay = {0, 0, camera.r + (falls(camera) ? 0.0 : time_ahead(*metric_, camera.r)), 0};
+    // r_* of the camera, or r where its clock is v - r: what T less r_* of a place is delayed by, and r (late_time()). From afar T is told less
+    // 2 r_* of the camera, mino/kerr.glsl.
+    constexpr double kAfar = 1e3;
+    const bool afar = camera.r > kAfar;
+    const double ahead = camera.r > outer ? time_ahead(*metric_, camera.r) : 0.0;
+    frame.delay = {falls(camera) ? 2.0 * ahead : ahead, afar ? 1.0 : 0.0,
+                   2.0 * camera.r + (falls(camera) ? 0.0 : ahead), 2.0 * (camera.r + ahead)};
 }
 
 void MinoPath::write_ring(const FramePlan& plan, FrameData& frame) const {

@@ -10,9 +10,10 @@
 namespace nullscope {
 
 namespace {
-constexpr double kMostInTube = 1e6;    // rad; more windings than a float tells apart
-constexpr double kRadialFloor = 1e-9;  // rad; ratios such as phi/sin(beta) have reached their limit to 1e-17 there
-constexpr double kNoAngle = 1e-300;    // stands for the dividing ray itself
+constexpr double kMostInTube = 1e6;  // rad; more windings than a float tells apart
+// Over the critical angle, and over 1 rad: ratios such as phi/sin(beta) have reached their limit to 1e-17 there.
+constexpr double kRadialFloor = 1e-9, kLeastCritical = 1e-10;
+constexpr double kNoAngle = 1e-300;  // stands for the dividing ray itself
 
 double square(double x) { return x * x; }
 }  // namespace
@@ -106,7 +107,8 @@ struct RayFamily::Place {
 
 RayFamily::Place RayFamily::place_at(Segment segment, double delta) const {
     double by = from_inward_ == (segment == Segment::kSky) ? delta : -delta;
-    const double theta = std::clamp(theta_c_ + by, kRadialFloor, M_PI - kRadialFloor);
+    const double floor = kRadialFloor * std::clamp(theta_c_, kLeastCritical, 1.0);
+    const double theta = std::clamp(theta_c_ + by, floor, M_PI - floor);
     if (theta != theta_c_ + by) by = theta - theta_c_;
     const double half = 0.5 * theta, half_c = 0.5 * theta_c_;
     if (!from_inward_) return {theta, std::tan(half), std::sin(0.5 * by) / (std::cos(half) * std::cos(half_c))};

@@ -49,7 +49,8 @@ public:
     // delta_limit < delta is the ray beyond the radial one, the mirror image of 2 delta_limit - delta: what is even in the angle
     // from the radial direction stays smooth across it.
     double mirrored(Segment segment, double delta) const;
-    // 0 < delta <= delta_limit; the last 1e-9 rad before a radial ray are taken as 1e-9 (limits are finite ratios).
+    // 0 < delta <= delta_limit; the last 1e-9 of the critical angle (at most 1e-9 rad) before a radial ray are taken
+    // as that (limits are finite ratios).
     FanRay ray(Segment segment, double delta) const;
     // Its sin_beta and in_tube alone, at the price of three sines; only of use where there is a tube.
     FanRay tube_ray(Segment segment, double delta) const;

@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "base/assets.h"
+#include "base/text.h"
 #include "expr/formula.h"
 #include "scene/bodies.h"
 #include "shaderlib/preprocess.h"
+#include "spacetime/registry.h"
+#include "spacetime/tortoise.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -100,6 +103,70 @@ TEST_CASE("bodies: hits, places and fates are the reference's at every pixel") {
             CHECK(m.place_px.max <= kScreenError_px);
             CHECK(m.angle_px.max <= kScreenError_px);
         }
+    });
+}
+
+// The rounding of the camera's distance is far above a body's size: from there all is as from 1e5 r_s, but for what that is nearer. Moving
+// bodies are looked at when light of the same time arrives.
+TEST_CASE("bodies: from far away hits and places are those from nearer") {
+    struct Far {
+        const char *name, *metrics;
+        std::function<void(Scene&)> add;
+    };
+    const Far bodies[] = {
+        {"ball", "minkowski schwarzschild ellis kerr",
+         [](Scene& s) {
+             add<BallSpec>(s).position = {0, 1.5, 4}, first_shape<BallSpec>(s)->radius = 1;
+         }},
+        {"cylinder", "minkowski schwarzschild ellis",
+         [](Scene& s) { add<CylinderSpec>(s) = {.inner = 3, .outer = 4.5, .height = 1}; }},
+        {"torus", "minkowski schwarzschild",
+         [](Scene& s) { add<SurfaceSpec>(s) = {.shape = "(length(x, y) - 3.5)^2 + z^2 - 1", .bound = 5}; }},
+        {"sphere", "minkowski schwarzschild", [](Scene& s) { add<SphereSpec>(s); }},
+        {"disc", "minkowski schwarzschild", [](Scene& s) { s.disc.emplace().inner = 3, s.disc->outer = 4.5; }},
+        {"moving ball", "minkowski schwarzschild kerr",
+         [](Scene& s) {
+             auto& ball = add<BallSpec>(s);
+             ball.motion = BallMotion::kPath, ball.radius = 1.5;
+             ball.x = "4 * cos(t / 8)", ball.y = "4 * sin(t / 8)", ball.z = "0";
+         }},
+    };
+    constexpr double kHalf = 6, kNear = 1e5, kPlace = 5e-3;  // r_s; of the picture's width
+    on_every_context([&](GpuSession& session) {
+        for (const Far& body : bodies)
+            for (const std::string& metric : split(body.metrics, ' ')) {
+                const auto seen_from = [&](double r) {
+                    Scene scene;
+                    scene.sky.kind = SkyKind::kBlack;
+                    scene.spacetime.metric = metric;
+                    if (metric == "kerr") scene.spacetime.parameters["spin"] = 0.9;
+                    const auto spacetime = make_spacetime(metric, scene.spacetime.parameters);
+                    REQUIRE(spacetime);
+                    scene.time = r + (metric == "ellis" ? 0 : time_ahead(**spacetime, r)) + 3;
+                    scene.camera.r = r, scene.camera.theta = 1.2, scene.camera.plane_width = 2 * kHalf / r;
+                    scene.camera.width = 21, scene.camera.height = 15;
+                    body.add(scene);
+                    return gl_ray_data(session, scene);
+                };
+                const RayFrame near = seen_from(kNear);
+                for (const double r : {1e7, 1e9}) {
+                    const std::string name = fmt::format("{}, {}, from {}", metric, body.name, r);
+                    CAPTURE(name);
+                    const RayFrame far = seen_from(r);
+                    int hits = 0, other = 0;
+                    double off = 0;
+                    for (std::size_t i = 0; i < far.pixels.size(); ++i) {
+                        const RayPixel &a = far.pixels[i], &b = near.pixels[i];
+                        hits += b.hit != 0, other += a.hit != b.hit;
+                        if (a.hit != 0 && b.hit != 0) off = std::max(off, std::hypot(a.u - b.u, a.v - b.v, a.w - b.w));
+                    }
+                    fmt::print("{:<7} {:<40} {} hits, {} others, places {:.1e} r_s\n", session.context->kind(), name,
+                               hits, other, off);
+                    CHECK(hits > 10);
+                    CHECK(other <= 1);  // next to a silhouette
+                    CHECK(off < kPlace);
+                }
+            }
     });
 }
 

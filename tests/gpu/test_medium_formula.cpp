@@ -138,6 +138,42 @@ TEST_CASE("medium: what one electron emits and how many there are may both have 
     });
 }
 
+// Of cameras so far away that a step of the march is below the rounding of their distance.
+TEST_CASE("medium: from far away a thin sphere is its closed form, and holes dim it as from nearby") {
+    constexpr double kFlux = 5e-4;
+    on_every_context([&](GpuSession& session) {
+        for (const double r : {120.0, 150.0, 1e3, 1e5, 1e7, 1e9}) {
+            Scene thin = formula_scene("minkowski", 0, MediumEmission::kPowerLaw);
+            thin.camera.r = r, thin.camera.plane_width = 2.1 / r;
+            thin.medium->emissivity = 1e-16, thin.medium->steps = 256;
+            const double each = 1e-16 * length_cm(thin) / medium_light_cgs(230);
+            const auto [worst, flux] = off(drawn(session, thin), thin,
+                                           [&](double b) { return b < 1 ? each * 2 * std::sqrt(1 - b * b) : 0.0; });
+            fmt::print("medium, thin sphere from {}: {:.1e}, flux {:+.1e}\n", r, worst, flux);
+            CAPTURE(r);
+            CHECK(worst < kClosed);
+            CHECK(std::abs(flux) < kClosed);
+        }
+        for (const char* metric : {"schwarzschild", "reissner-nordstrom", "kerr"}) {
+            double near = 0;
+            for (const double r : {1e4, 1e6, 1e8}) {
+                CAPTURE(metric);
+                CAPTURE(r);
+                Scene scene = formula_scene(metric, 0, MediumEmission::kPowerLaw);
+                if (metric == std::string("kerr")) scene.spacetime.parameters["spin"] = 1e-6;
+                if (metric == std::string("reissner-nordstrom")) scene.spacetime.parameters["charge"] = 0.5;
+                scene.camera.r = r, scene.camera.plane_width = 12.0 / r;
+                scene.camera.width = scene.camera.height = 24;
+                scene.medium->formulas.density = "exp(-r^2/2)", scene.medium->outer = 5;
+                const double flux = sum_of(drawn(session, scene));
+                near = near > 0 ? near : flux;
+                fmt::print("medium, {} from {}: {:+.1e}\n", metric, r, flux / near - 1);
+                CHECK(std::abs(flux / near - 1) < kFlux);
+            }
+        }
+    });
+}
+
 TEST_CASE("medium: matter by formula about holes is the reference's") {
     constexpr double kFlux = 1e-3, kPixel = 5e-3;
     struct Case {
