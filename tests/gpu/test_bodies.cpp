@@ -116,7 +116,7 @@ TEST_CASE("bodies: from far away hits and places are those from nearer") {
     const Far bodies[] = {
         {"ball", "minkowski schwarzschild ellis kerr",
          [](Scene& s) {
-             add<BallSpec>(s).position = {0, 1.5, 4}, first_shape<BallSpec>(s)->radius = 1;
+             add<BallSpec>(s).position = {0, 1.5, 4}, first_shape<BallSpec>(s)->radius = 2;
          }},
         {"cylinder", "minkowski schwarzschild ellis",
          [](Scene& s) { add<CylinderSpec>(s) = {.inner = 3, .outer = 4.5, .height = 1}; }},

@@ -156,7 +156,7 @@ TEST_CASE("medium: from far away a thin sphere is its closed form, and holes dim
         }
         for (const char* metric : {"schwarzschild", "reissner-nordstrom", "kerr"}) {
             double near = 0;
-            for (const double r : {1e4, 1e6, 1e8}) {
+            for (const double r : {1e4, 1e6, 1e8, 1e9}) {
                 CAPTURE(metric);
                 CAPTURE(r);
                 Scene scene = formula_scene(metric, 0, MediumEmission::kPowerLaw);
