@@ -71,7 +71,7 @@ WORDS = {
     "medium-formula": [r"medium_matter"],
     "medium-grid": [r"grid_\w+", r"GridNumbers", r"medium_(?:texture|grid|nodes|scale)"],
     "medium-black-body": [r"medium_glow"],
-    "medium-synchrotron": [r"synchrotron", r"planck_temperature"],
+    "medium-synchrotron": [r"log2_synchrotron", r"log2_planck_temperature"],
 }
 # Words of any of several effects.
 JOINT = {("medium-formula", "medium-grid"): [r"medium_(?:extent|law|seen|photon|emission|inside)"]}

@@ -142,7 +142,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kMediumFormula, {"medium_matter("}},
     {Effect::kMediumGrid, {"medium_texture", "grid_at(", "vec4 medium_grid;", "vec4 medium_nodes;"}},
     {Effect::kMediumBlackBody, {"medium_glow("}},
-    {Effect::kMediumSynchrotron, {"synchrotron(", "planck_temperature("}},
+    {Effect::kMediumSynchrotron, {"log2_synchrotron(", "log2_planck_temperature("}},
     {Effect::kDiscGas, {"disc_gas(", "disc_gas_gaps(", "vec4 disc_gas;"}},
 };
 
