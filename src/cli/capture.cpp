@@ -286,14 +286,16 @@ Result<Scene> scene_of(const CaptureOptions& options) {
     return scene;
 }
 
-Status run_capture(const CaptureOptions& options) {
+Status run_capture(const CaptureOptions& given) {
+    CaptureOptions options = given;
+    if (options.quiet) options.listener.note = [](const std::string&) {};
     TRY(scene, scene_of(options));
     if (options.dump_shader) return dump_shader(*scene);
     TRY(job, job_of(options, std::move(*scene)));
-    if (job->scene.picture.shutter > 0.0 && !job->path && options.time_step == 0)
+    if (!options.quiet && job->scene.picture.shutter > 0.0 && !job->path && options.time_step == 0)
         fmt::print(stderr, "picture.shutter: all is at rest without a [path] or --time-step\n");
-    if (job->scene.picture.shutter > 0.0) say_dots(*job, options.time_step);
-    say_backwards(*job);
+    if (!options.quiet && job->scene.picture.shutter > 0.0) say_dots(*job, options.time_step);
+    if (!options.quiet) say_backwards(*job);
     TRY(store, store_of(*job, options));
     TRY(drawn, draw_all(*job, options, store->get()));
     return options.to_film() ? finish_film(*job, options) : Status(Done{});

@@ -103,9 +103,12 @@ void add_capture_to(Command& parent, const std::function<Status(const CaptureOpt
                   fmt::format("Quality of a .jpg: less makes smaller files (default {})", kJpegQuality));
     command.add_flag("--plain", &options.plain,
                      "No dividing line, labels or scale bar over a .png, .jpg or film (.exr and .fits have none)");
+    command.add_flag("--quiet", &options.quiet,
+                     "No notes on standard error: what of an image is not used, what would be smoother");
     command.add_flag(
         "--half", &options.half,
-        "Write an EXR's colours as half floats: half the size, three digits; without --raydata and --split");
+        "Write an EXR's colours as half floats: half the size, three digits, at most 65504; without --raydata and "
+        "--split");
     command.add_flag("--raydata", &options.raydata,
                      "Also write where each pixel's ray ends, as channels of the EXR (docs/ray-data.md)");
     command.add_flag(

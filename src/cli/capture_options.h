@@ -22,7 +22,7 @@ struct CaptureOptions : DrawOptions {
     std::optional<int> quality;  // of a JPEG
     int workers = 1;
     std::vector<std::string> ffmpeg;  // options for the film
-    bool half = false, dump_shader = false, resume = false, plain = false;
+    bool half = false, dump_shader = false, resume = false, plain = false, quiet = false;
 
     bool to_exr() const { return output.ends_with(".exr"); }
     bool to_fits() const { return output.ends_with(".fits"); }

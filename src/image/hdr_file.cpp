@@ -1,6 +1,7 @@
 // The Radiance half of image/image_file.h.
 // Format: Ward, "Real Pixels", Graphics Gems II (1991), and the Radiance reference manual: RGBE scanlines, plain or
-// run-length coded by component; "-Y height +X width" only, which is what every writer produces.
+// run-length coded by component; rows first ("-Y height +X width" is what writers produce).
+#include "image/colour_space.h"
 #include "image/image_formats.h"
 
 #include <fmt/format.h>
@@ -64,23 +65,48 @@ bool read_scanline(std::string_view& bytes, std::vector<Rgbe>& row) {
     return read_coded(bytes, row);
 }
 
+// What a line of the header says of the light. Programs agree on the numbers as they are stored, not on these factors (EXPOSURE is what the
+// picture has been multiplied by): they are told of where they are not 1.
+void read_light(const std::string& line, HdrPicture& picture) {
+    if (line.starts_with("PRIMARIES=")) {
+        Primaries p;
+        if (std::sscanf(line.c_str(), "PRIMARIES= %lf %lf %lf %lf %lf %lf %lf %lf", &p.red.x, &p.red.y, &p.green.x,
+                        &p.green.y, &p.blue.x, &p.blue.y, &p.white.x, &p.white.y) == 8)
+            picture.to_rec709 = rec709_from(p);
+        return;
+    }
+    for (const std::string_view key : {"EXPOSURE=", "COLORCORR=", "GAMMA=", "PIXASPECT="})
+        if (line.starts_with(key)) {
+            double n[3] = {1.0, 1.0, 1.0};
+            std::sscanf(line.c_str() + key.size(), "%lf %lf %lf", &n[0], &n[1], &n[2]);
+            if (n[0] != 1.0 || n[1] != 1.0 || n[2] != 1.0)
+                picture.unused.push_back(line + ": numbers are read as stored");
+        }
+}
+
 }  // namespace
 
 bool is_hdr(std::string_view bytes) { return bytes.starts_with("#?RADIANCE\n") || bytes.starts_with("#?RGBE\n"); }
 
-Result<Image<float>> decode_hdr(std::string_view file, long long max_pixels) {
+Result<HdrPicture> decode_hdr(std::string_view file, long long max_pixels) {
     std::string_view bytes = file;
-    for (std::string line = next_line(bytes); !line.empty(); line = next_line(bytes))
+    HdrPicture picture;
+    for (std::string line = next_line(bytes); !line.empty(); line = next_line(bytes)) {
         if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe")
             return bad_input(fmt::format("unsupported HDR {}", line));
+        read_light(line, picture);
+    }
     int width = 0, height = 0;
-    if (std::sscanf(next_line(bytes).c_str(), "-Y %9d +X %9d", &height, &width) != 2 || width <= 0 || height <= 0)
+    char down[2], along[2];
+    if (std::sscanf(next_line(bytes).c_str(), "%1[+-]Y %9d %1[+-]X %9d", down, &height, along, &width) != 4 ||
+        width <= 0 || height <= 0)
         return bad_input("HDR size is not '-Y height +X width'");
     if (static_cast<long long>(width) * height > max_pixels)
         return bad_input(fmt::format("{} x {} pixels, at most {} are allowed", width, height, max_pixels));
     if (!plausible_size(3LL * width * height, file.size()))
         return bad_input(fmt::format("{} x {} pixels are not in {} bytes", width, height, file.size()));
-    Image<float> image(width, height, 3);
+    picture.orientation = *down == '-' ? (*along == '+' ? 1 : 2) : (*along == '-' ? 3 : 4);
+    Image<float>& image = picture.image = Image<float>(width, height, 3);
     std::vector<Rgbe> row(static_cast<std::size_t>(width));
     for (int y = 0; y < height; ++y) {
         if (!read_scanline(bytes, row)) return bad_input("HDR data are cut off or damaged");
@@ -90,7 +116,7 @@ Result<Image<float>> decode_hdr(std::string_view file, long long max_pixels) {
             for (std::size_t c = 0; c < 3; ++c) *out++ = scale * static_cast<float>(pixel[c]);
         }
     }
-    return image;
+    return picture;
 }
 
 }  // namespace nullscope

@@ -12,7 +12,12 @@
 namespace nullscope {
 namespace {
 
-ImageLimits as_it_is(long long max_pixels) { return {std::numeric_limits<int>::max(), max_pixels, max_pixels}; }
+ImageLimits as_it_is(long long max_pixels) {
+    return {.max_side = std::numeric_limits<int>::max(),
+            .whole_pixels = max_pixels,
+            .max_pixels = max_pixels,
+            .light = false};
+}
 
 }  // namespace
 

@@ -46,7 +46,7 @@ Status save_exr(const std::filesystem::path& path, const ChannelImage& image);
 // The same of colours R, G and B that come in bands of rows, from the top: no more than a band of them is held. half: as half floats.
 struct BandedImage {
     int width = 0, height = 0;
-    bool half = false;
+    bool half = false;  // what is beyond 65504, the largest half float, is written as that
     std::map<std::string, std::string> attributes;
 };
 // rows_from(y): the rows from y on, at least one, 3 channels; errors of it are returned.

@@ -1,14 +1,17 @@
-// The formats of image files, for large_image.cpp and image_file.cpp; OpenEXR's is in image_file.h. Errors are without a
-// file name.
+// The formats of image files, for large_image.cpp and image_file.cpp. Errors are without a file name, but OpenEXR's.
 #pragma once
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
+#include "base/vec.h"
 #include "image/image.h"
 
 namespace nullscope {
@@ -25,7 +28,10 @@ class RowReader {
 public:
     virtual ~RowReader() = default;
     int width = 0, height = 0, channels = 0;  // 3, or 4 with alpha
-    const char* whole = nullptr;  // of a file that is held whole: what is said where it is too large for that
+    const char* whole = nullptr;        // of a file that is held whole: what is said where it is too large for that
+    int orientation = 1;                // orientation.h
+    std::optional<Mat3> to_rec709;      // of its linear light; none: it is that of Rec. 709
+    std::vector<std::string> unused{};  // what the file says and the reader leaves out, a few words each
     // The next row, linear light; at most height times, and the last only of a file that goes on to its end. Errors:
     // damaged, too short.
     virtual Status next(float* row) = 0;
@@ -46,8 +52,31 @@ Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::st
 // Radiance RGBE (.hdr).
 bool is_hdr(std::string_view bytes);
 
-// bytes: a whole file. Linear RGB. Errors: cut off, damaged, another orientation or colour
-// format, larger than max_pixels.
-Result<Image<float>> decode_hdr(std::string_view bytes, long long max_pixels);
+struct HdrPicture {
+    Image<float> image;  // linear light
+    int orientation = 1;
+    std::optional<Mat3> to_rec709{};
+    std::vector<std::string> unused{};
+};
+// bytes: a whole file. Errors: cut off, damaged, columns before rows, another colour format, larger than max_pixels.
+Result<HdrPicture> decode_hdr(std::string_view bytes, long long max_pixels);
+
+// The one picture in an OpenEXR file: colours as they are stored, multiplied by alpha; 3 channels, or 4 if it has alpha that is wanted.
+struct ExrPicture {
+    Image<float> image;  // the display window
+    bool has_alpha = false;
+    std::optional<Mat3> to_rec709{};
+    std::vector<std::string> unused{};
+};
+// Errors: as load_image; several pictures of which none is the file's.
+Result<ExrPicture> decode_exr_picture(std::string_view bytes, const std::string& name, long long max_pixels,
+                                      bool with_alpha);
+Result<ExrPicture> load_exr_picture(const std::filesystem::path& path, long long max_pixels, bool with_alpha);
+
+// Whether an ICC profile calls itself sRGB.
+inline bool is_srgb_profile(std::string_view profile) {
+    constexpr std::string_view kWide("s\0R\0G\0B", 7);
+    return profile.find("sRGB") != std::string_view::npos || profile.find(kWide) != std::string_view::npos;
+}
 
 }  // namespace nullscope

@@ -8,11 +8,13 @@
 #include <array>
 #include <csetjmp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "image/image_file.h"
 #include "image/image_formats.h"
+#include "image/orientation.h"
 
 namespace nullscope {
 namespace {
@@ -41,6 +43,7 @@ public:
 
     Status open() {
         if (!read_head()) return bad_input(error_);
+        read_markers();
         width = static_cast<int>(jpeg_.image_width);
         height = static_cast<int>(jpeg_.image_height);
         channels = 3;
@@ -99,10 +102,21 @@ private:
         manager_.resync_to_restart = jpeg_resync_to_restart;
         manager_.term_source = [](j_decompress_ptr) {};
         manager_.bytes_in_buffer = 0;
+        for (const int marker : {JPEG_APP0 + 1, JPEG_APP0 + 2}) jpeg_save_markers(&jpeg_, marker, 0xffff);
         jpeg_read_header(&jpeg_, TRUE);
         inks_ = jpeg_.num_components == 4;
         jpeg_.out_color_space = inks_ ? JCS_CMYK : JCS_RGB;
         return true;
+    }
+    void read_markers() {
+        constexpr std::string_view kExif("Exif\0\0", 6), kProfile("ICC_PROFILE\0", 12);
+        std::string profile;  // in pieces of 64 KB
+        for (const jpeg_marker_struct* marker = jpeg_.marker_list; marker != nullptr; marker = marker->next) {
+            const std::string_view data(reinterpret_cast<const char*>(marker->data), marker->data_length);
+            if (data.starts_with(kExif)) orientation = exif_orientation(data.substr(kExif.size()));
+            if (data.starts_with(kProfile)) profile += data.substr(kProfile.size());
+        }
+        if (!profile.empty() && !is_srgb_profile(profile)) unused.emplace_back("colour profile (ICC): read as sRGB");
     }
     bool read_row() {
         if (setjmp(jump_) != 0) return false;  // NOLINT

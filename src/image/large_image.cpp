@@ -1,8 +1,10 @@
 #include "image/large_image.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -12,8 +14,10 @@
 #include "base/progress.h"
 #include "base/text.h"
 #include "image/area_filter.h"
+#include "image/half_float.h"
 #include "image/image_file.h"
 #include "image/image_formats.h"
+#include "image/orientation.h"
 
 namespace nullscope {
 namespace {
@@ -26,6 +30,73 @@ constexpr long long kMaxWhole = 500'000'000;                                 // 
 using OpenRows = Result<std::unique_ptr<RowReader>> (*)(ByteSource source);
 OpenRows rows_of(int first_byte) {
     return first_byte == 0x89 ? open_png_rows : first_byte == 0xff ? open_jpeg_rows : nullptr;
+}
+
+bool is_exr(const std::filesystem::path& path) { return lower_case(path.extension().string()) == ".exr"; }
+
+// A file's picture as it was decoded, before it is turned.
+struct Decoded {
+    FittedImage fitted;
+    int orientation = 1;
+    std::optional<Mat3> to_rec709{};
+    std::vector<std::string> unused{};
+};
+
+void convert(Image<float>& image, const Mat3& to_rec709) {
+    for (std::size_t i = 0; i + 2 < image.data.size(); i += static_cast<std::size_t>(image.channels)) {
+        float* pixel = image.data.data() + i;
+        const Vec3 light = to_rec709 * Vec3{pixel[0], pixel[1], pixel[2]};
+        pixel[0] = static_cast<float>(light.x), pixel[1] = static_cast<float>(light.y);
+        pixel[2] = static_cast<float>(light.z);
+    }
+}
+
+// What is no light becomes some: told of by number.
+void mend_light(Image<float>& image, std::vector<std::string>& notes) {
+    float largest = kMostHalf, lowest = 0.0f;
+    std::size_t below = 0, infinite = 0, no_number = 0;
+    for (const float light : image.data)
+        if (std::isfinite(light)) largest = std::max(largest, light);
+    for (float& light : image.data) {
+        if (std::isnan(light))
+            ++no_number, light = 0.0f;
+        else if (light < 0.0f)
+            ++below, lowest = std::min(lowest, light), light = 0.0f;
+        else if (std::isinf(light))
+            ++infinite, light = largest;
+    }
+    if (below > 0) notes.push_back(fmt::format("{} numbers below 0, the lowest {:.3g}, are read as 0", below, lowest));
+    if (no_number > 0) notes.push_back(fmt::format("{} numbers that are NaN are read as 0", no_number));
+    if (infinite > 0) notes.push_back(fmt::format("{} infinite numbers are read as {:g}", infinite, largest));
+}
+
+// False: every pixel is opaque.
+bool put_on_black(FittedImage& fitted, Alpha alpha) {
+    const Image<float>& from = fitted.image;
+    bool clear = false;
+    Image<float> to(from.width, from.height, 3);
+    for (std::size_t i = 0; 4 * i < from.data.size(); ++i) {
+        clear = clear || from.data[4 * i + 3] < 1.0f;
+        for (std::size_t c = 0; c < 3; ++c)
+            to.data[3 * i + c] = (alpha == Alpha::kOnBlack ? from.data[4 * i + 3] : 1.0f) * from.data[4 * i + c];
+    }
+    fitted.image = std::move(to);
+    return clear;
+}
+
+FittedImage finished(Decoded decoded, const std::string& name, const ImageLimits& limits) {
+    FittedImage& fitted = decoded.fitted;
+    if (decoded.to_rec709) convert(fitted.image, *decoded.to_rec709);
+    if (decoded.to_rec709 && limits.light) mend_light(fitted.image, fitted.notes);
+    if (fitted.image.channels == 4 && limits.alpha != Alpha::kKept) {
+        const bool clear = put_on_black(fitted, limits.alpha);
+        if (clear && limits.alpha == Alpha::kLeftOut) decoded.unused.emplace_back("alpha");
+    }
+    if (decoded.orientation != 1) fitted.image = turned(fitted.image, decoded.orientation);
+    if (decoded.orientation >= 5) std::swap(fitted.width, fitted.height);
+    if (!decoded.unused.empty()) fitted.notes.push_back(fmt::format("not used: {}", fmt::join(decoded.unused, "; ")));
+    for (std::string& note : fitted.notes) note = without_controls(fmt::format("'{}': {}", name, note));
+    return std::move(fitted);
 }
 
 Result<FittedImage> read_rows(OpenRows open, ByteSource source, unsigned long long file_bytes, const std::string& name,
@@ -42,7 +113,8 @@ Result<FittedImage> read_rows(OpenRows open, ByteSource source, unsigned long lo
     if (rows.whole != nullptr && pixels > std::min(limits.whole_pixels, kMaxWhole)) return unreadable(name, rows.whole);
     const FittedSize size = fitted_size(rows.width, rows.height, limits.max_side);
     const bool reduced = size.width != rows.width || size.height != rows.height;
-    FittedImage fitted{{}, rows.width, rows.height};
+    Decoded decoded{{{}, rows.width, rows.height}, rows.orientation, rows.to_rec709, rows.unused};
+    FittedImage& fitted = decoded.fitted;
     std::optional<AreaFilter> filter;
     std::vector<float> row(static_cast<std::size_t>(rows.width) * rows.channels);
     if (reduced)
@@ -56,33 +128,45 @@ Result<FittedImage> read_rows(OpenRows open, ByteSource source, unsigned long lo
         if (filter) filter->add_row(to);
     }
     if (filter) fitted.image = filter->take();
-    return fitted;
+    return finished(std::move(decoded), name, limits);
 }
 
-FittedImage made_smaller(Image<float> image, int max_side) {
-    const int width = image.width, height = image.height;
-    const FittedSize size = fitted_size(width, height, max_side);
-    if (size.width == width && size.height == height) return {std::move(image), width, height};
-    AreaFilter filter(width, height, image.channels, size.width, size.height);
-    for (int y = 0; y < height; ++y) filter.add_row(image.at(0, y));
-    return {filter.take(), width, height};
-}
-
-// R, G, B, or Y for all three; A if present.
-Result<Image<float>> image_from_exr(const std::string& name, const ChannelImage& exr) {
-    const bool grey = !exr.channels.count("R") && exr.channels.count("Y");
-    std::vector<const float*> planes;
-    for (const char* colour : {"R", "G", "B"}) {
-        const auto found = exr.channels.find(grey ? "Y" : colour);
-        if (found == exr.channels.end()) return unreadable(name, fmt::format("no channel {}", colour));
-        planes.push_back(found->second.data());
+// Of an image that is held whole.
+FittedImage made_smaller(Decoded decoded, const std::string& name, const ImageLimits& limits) {
+    FittedImage& fitted = decoded.fitted;
+    Image<float>& image = fitted.image;
+    fitted.width = image.width, fitted.height = image.height;
+    if (decoded.to_rec709) convert(image, *std::exchange(decoded.to_rec709, {}));
+    if (limits.light) mend_light(image, fitted.notes);
+    const FittedSize size = fitted_size(image.width, image.height, limits.max_side);
+    if (fitted.width != size.width || fitted.height != size.height) {
+        AreaFilter filter(image.width, image.height, image.channels, size.width, size.height);
+        for (int y = 0; y < image.height; ++y) filter.add_row(image.at(0, y));
+        image = filter.take();
     }
-    if (const auto alpha = exr.channels.find("A"); alpha != exr.channels.end()) planes.push_back(alpha->second.data());
-    Image<float> image(exr.width, exr.height, static_cast<int>(planes.size()));
-    const std::size_t count = image.data.size() / planes.size();
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t c = 0; c < planes.size(); ++c) image.data[i * planes.size() + c] = planes[c][i];
-    return image;
+    return finished(std::move(decoded), name, limits);
+}
+
+// Colours that are multiplied by alpha become those that are not: a pixel without alpha that glows has none.
+void divide_by_alpha(Decoded& decoded) {
+    Image<float>& image = decoded.fitted.image;
+    std::size_t lost = 0;
+    for (std::size_t i = 0; i < image.data.size(); i += 4) {
+        float* pixel = image.data.data() + i;
+        const bool glows = pixel[0] > 0.0f || pixel[1] > 0.0f || pixel[2] > 0.0f;
+        if (!(pixel[3] > 0.0f) && glows) ++lost;
+        for (std::size_t c = 0; c < 3; ++c) pixel[c] = pixel[3] > 0.0f ? pixel[c] / pixel[3] : 0.0f;
+    }
+    if (lost > 0) decoded.unused.push_back(fmt::format("the light of {} pixels whose alpha is 0", lost));
+}
+
+Result<FittedImage> load_fitted_exr(const std::filesystem::path& path, const ImageLimits& limits) {
+    const bool with_alpha = limits.alpha == Alpha::kKept;
+    TRY(exr, load_exr_picture(path, std::min(limits.max_pixels, kMaxWhole), with_alpha));
+    Decoded decoded{{std::move(exr->image)}, 1, exr->to_rec709, std::move(exr->unused)};
+    if (exr->has_alpha && limits.alpha == Alpha::kLeftOut) decoded.unused.emplace_back("alpha");
+    if (decoded.fitted.image.channels == 4 && limits.light) divide_by_alpha(decoded);
+    return made_smaller(std::move(decoded), path.string(), limits);
 }
 
 }  // namespace
@@ -92,11 +176,7 @@ Error unreadable(const std::string& name, std::string_view reason) {
 }
 
 Result<FittedImage> load_fitted_image(const std::filesystem::path& path, const ImageLimits& limits) {
-    if (lower_case(path.extension().string()) == ".exr") {
-        TRY(exr, load_exr(path, std::min(limits.max_pixels, kMaxWhole)));
-        TRY(image, image_from_exr(path.string(), *exr));
-        return made_smaller(std::move(*image), limits.max_side);
-    }
+    if (is_exr(path)) return load_fitted_exr(path, limits);
     std::error_code error;
     const auto file_bytes = std::filesystem::file_size(path, error);  // an error: no file, or a pipe
     std::ifstream file(path, std::ios::binary);
@@ -121,9 +201,26 @@ Result<FittedImage> decode_fitted_image(std::string_view bytes, const std::strin
         return read_rows(open, source, bytes.size(), name, limits);
     }
     if (!is_hdr(bytes)) return unreadable(name, "not a PNG, JPEG, HDR or EXR file");
-    auto image = decode_hdr(bytes, std::min(limits.max_pixels, kMaxWhole));
-    if (!image) return unreadable(name, image.error().message());
-    return made_smaller(std::move(*image), limits.max_side);
+    auto hdr = decode_hdr(bytes, std::min(limits.max_pixels, kMaxWhole));
+    if (!hdr) return unreadable(name, hdr.error().message());
+    return made_smaller({{std::move(hdr->image)}, hdr->orientation, hdr->to_rec709, std::move(hdr->unused)}, name,
+                        limits);
+}
+
+Result<ImageSize> image_size(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    const OpenRows open = is_exr(path) ? nullptr : rows_of(file.peek());
+    if (open == nullptr) {
+        TRY(whole, load_fitted_image(path));
+        return ImageSize{whole->width, whole->height};
+    }
+    auto rows = open([&file](char* to, std::size_t most) {
+        file.read(to, static_cast<std::streamsize>(most));
+        return static_cast<std::size_t>(file.gcount());
+    });
+    if (!rows) return unreadable(path.string(), rows.error().message());
+    const bool lies = (*rows)->orientation >= 5;
+    return ImageSize{lies ? (*rows)->height : (*rows)->width, lies ? (*rows)->width : (*rows)->height};
 }
 
 std::string reduction_words(const std::filesystem::path& path, const FittedImage& image, const std::string& why) {

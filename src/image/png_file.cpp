@@ -1,14 +1,20 @@
 // libpng leaves by longjmp: no function that calls setjmp here has an object with a destructor.
+#include <fmt/format.h>
 #include <png.h>
 
+#include <cmath>
 #include <csetjmp>
+#include <cstdlib>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "image/colour_space.h"
 #include "image/image_file.h"
 #include "image/image_formats.h"
+#include "image/orientation.h"
 
 namespace nullscope {
 namespace {
@@ -16,10 +22,12 @@ namespace {
 constexpr png_uint_32 kMostSide = 1'000'000;       // px: a row of 16 MB
 constexpr png_alloc_size_t kMostChunk = 8u << 20;  // bytes of a chunk that is no picture (profiles, words)
 
+constexpr png_byte kColourCodes[] = {'c', 'I', 'C', 'P', 0};
+
 class PngRows : public RowReader {
 public:
     explicit PngRows(ByteSource source) : source_(std::move(source)) {
-        png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {});
+        png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
         info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
     }
     ~PngRows() override { png_destroy_read_struct(&png_, &info_, nullptr); }
@@ -29,6 +37,8 @@ public:
     Status open() {
         if (info_ == nullptr) return failed("out of memory");
         if (!read_head()) return bad_input(error_);
+        read_colours();
+        read_orientation();
         if (png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE)
             whole = "an interlaced PNG of this size cannot be read row by row; save it without interlacing";
         width = static_cast<int>(png_get_image_width(png_, info_));
@@ -38,7 +48,7 @@ public:
         const std::size_t codes = sixteen_ ? 65536 : 256;
         table_.resize(codes);
         for (std::size_t i = 0; i < codes; ++i)
-            table_[i] = linear_from_srgb(static_cast<float>(i) / static_cast<float>(codes - 1));
+            table_[i] = linear_of(static_cast<float>(i) / static_cast<float>(codes - 1));
         row_bytes_ = static_cast<std::size_t>(width) * channels * (sixteen_ ? 2 : 1);
         if ((channels != 3 && channels != 4) || png_get_rowbytes(png_, info_) != row_bytes_)
             return bad_input("an unknown kind of PNG");
@@ -66,16 +76,66 @@ private:
         static_cast<PngRows*>(png_get_error_ptr(png))->error_ = words;
         longjmp(png_jmpbuf(png), 1);  // NOLINT
     }
+    // A profile that libpng does not take would be gone without a word.
+    static void on_warning(png_structp png, png_const_charp words) {
+        PngRows& self = *static_cast<PngRows*>(png_get_error_ptr(png));
+        const std::string_view warning = words;
+        if (!warning.starts_with("iCCP") || warning.find("sRGB") != std::string_view::npos) return;
+        try {  // nothing may be thrown through libpng
+            self.unused.push_back(fmt::format("colour profile ({}): read as sRGB", warning));
+        } catch (const std::bad_alloc&) {
+            self.error_ = "out of memory";
+        }
+    }
     static void on_read(png_structp png, png_bytep to, png_size_t size) {
         auto& self = *static_cast<PngRows*>(png_get_io_ptr(png));
         if (self.source_(reinterpret_cast<char*>(to), size) != size) png_error(png, "the file is too short");
     }
+    float linear_of(float code) const { return power_ > 0.0f ? std::pow(code, power_) : linear_from_srgb(code); }
+
+    // What the file says of its colours, by rank: cICP, iCCP, sRGB, gAMA and cHRM (PNG, third edition, 4.3).
+    void read_colours() {
+        png_unknown_chunkp chunks = nullptr;
+        const int count = png_get_unknown_chunks(png_, info_, &chunks);
+        for (int i = 0; i < count; ++i)
+            if (chunks[i].size == 4 && !(chunks[i].data[0] == 1 && (chunks[i].data[1] == 1 || chunks[i].data[1] == 13)))
+                unused.push_back(fmt::format("cICP (primaries {}, transfer {}): read as sRGB", chunks[i].data[0],
+                                             chunks[i].data[1]));
+        png_charp title = nullptr;
+        png_bytep profile = nullptr;
+        png_uint_32 size = 0;
+        int compression = 0;
+        if (png_get_iCCP(png_, info_, &title, &compression, &profile, &size) != 0) {
+            if (!is_srgb_profile({reinterpret_cast<const char*>(profile), size}))
+                unused.push_back(fmt::format("colour profile (iCCP) \"{}\": read as sRGB", title));
+            return;
+        }
+        if (count > 0 || png_get_valid(png_, info_, PNG_INFO_sRGB) != 0) return;
+        constexpr png_fixed_point kOne = 100000, kUsual = 45455, kNear = 500;  // 1/2.2 stands for sRGB
+        png_fixed_point gamma = 0;
+        if (png_get_gAMA_fixed(png_, info_, &gamma) != 0 && gamma > 0 && std::abs(gamma - kUsual) > kNear)
+            power_ = static_cast<float>(kOne) / static_cast<float>(gamma);
+        Primaries p;
+        if (png_get_cHRM(png_, info_, &p.white.x, &p.white.y, &p.red.x, &p.red.y, &p.green.x, &p.green.y, &p.blue.x,
+                         &p.blue.y) != 0)
+            to_rec709 = rec709_from(p);
+    }
+    void read_orientation() {
+#ifdef PNG_eXIf_SUPPORTED
+        png_uint_32 size = 0;
+        png_bytep exif = nullptr;
+        if (png_get_eXIf_1(png_, info_, &size, &exif) != 0)
+            orientation = exif_orientation({reinterpret_cast<const char*>(exif), size});
+#endif
+    }
+
     // Whatever the file has becomes 8 or 16 bits of red, green, blue and perhaps alpha.
     bool read_head() {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT
         png_set_read_fn(png_, this, on_read);
         png_set_user_limits(png_, kMostSide, kMostSide);
         png_set_chunk_malloc_max(png_, kMostChunk);
+        png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_ALWAYS, kColourCodes, 1);
         png_read_info(png_, info_);
         png_set_expand(png_);
         png_set_gray_to_rgb(png_);
@@ -103,6 +163,7 @@ private:
     std::size_t row_bytes_ = 0;
     bool sixteen_ = false;
     int row_ = 0;
+    float power_ = 0.0f;  // of codes, for linear light; 0: sRGB
 };
 
 constexpr int kDeflateLevel = 2;  // of 9; the third takes half as long again for 4 % fewer bytes

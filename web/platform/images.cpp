@@ -48,7 +48,7 @@ Result<std::unique_ptr<RowReader>> open_png_rows(ByteSource source) {
 }
 Result<std::unique_ptr<RowReader>> open_jpeg_rows(ByteSource source) { return open_png_rows(std::move(source)); }
 
-Result<ChannelImage> load_exr(const std::filesystem::path&, long long) {
+Result<ExrPicture> load_exr_picture(const std::filesystem::path&, long long, bool) {
     return bad_input("EXR is not read in a page");
 }
 

@@ -1,0 +1,209 @@
+#!/usr/bin/env python3
+"""An image file is what its header says: parts and layers, windows, alpha, primaries, orientation, gamma; what is not used is told of in
+one line."""
+import struct
+import zlib
+
+import support
+from test_layers import read_floats
+import test_image_light
+from test_image_light import attribute, exr, grey, hdr, linear, plain_exr, png, rgb
+
+WHOLE = (0, 0, 63, 31)
+REC2020 = (0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329)
+# ITU-R BT.2407, annex 2: linear Rec. 2020 to linear Rec. 709.
+TO_709 = ((1.6605, -0.5876, -0.0728), (-0.1246, 1.1329, -0.0083), (-0.0182, -0.1006, 1.1187))
+
+
+def layer(prefix, value):
+    return {prefix + c: lambda x, y: value for c in "RGB"}
+
+
+def chromaticities(numbers):
+    return attribute("chromaticities", "chromaticities", struct.pack("<8f", *numbers))
+
+
+def to_709(pixel):
+    return [sum(m * v for m, v in zip(row, pixel)) for row in TO_709]
+
+
+def exif(orientation, order):
+    return ((b"II" if order == "<" else b"MM") + struct.pack(order + "HI", 42, 8) + struct.pack(order + "HHHIHHI", 1, 0x112, 3, 1, orientation, 0, 0))
+
+
+class ImageFiles(support.CliTest):
+    drawn, near = test_image_light.ImageLight.drawn, test_image_light.ImageLight.near
+
+    def middle(self, name, **how):
+        got = self.drawn(name, size="8x4", **how)
+        return got[1][3]
+
+    def grey_is(self, name, value, notes=(), **how):
+        self.near(self.middle(name, **how), (value,) * 3)
+        self.assertEqual(self.notes.count("\n"), 1 if notes else 0, self.notes)
+        for word in notes:
+            self.assertIn(word, self.notes)
+
+    def refused_image(self, name, says):
+        self.write("s.toml", f'[sky]\nkind = "image"\nimage = "{name}"\n')
+        for command in (["capture", "s.toml", "--size", "8x4", "-o", "s.png"],
+                        ["capture", "s.toml", "--size", "8x4", "--renderer", "reference", "-o", "s.png"]):
+            self.refused(*command, says=[name, *says])
+
+    def test_layers_of_an_exr(self):
+        self.write("a.exr", plain_exr(64, 32, layer("ViewLayer.Combined.", 0.7)))
+        self.grey_is("a.exr", 0.7)
+        self.write("b.exr", plain_exr(64, 32, {**layer("ViewLayer.Combined.", 0.7), **layer("ViewLayer.Diffuse.", 9), "ViewLayer.Depth.Z": lambda x, y: 1}))
+        self.grey_is("b.exr", 0.7, ["b.exr", "ViewLayer.Diffuse.R", "ViewLayer.Depth.Z"])
+        self.write("c.exr", plain_exr(64, 32, {**layer("", 0.7), **layer("spec.", 9)}))
+        self.grey_is("c.exr", 0.7, ["spec.R"])
+        self.write("d.exr", plain_exr(64, 32, {**layer("diffuse.", 0.7), **layer("spec.", 9)}))
+        self.refused_image("d.exr", ["several pictures", "diffuse.R", "spec.B"])
+        self.drawn("c.exr", "--quiet", size="8x4")
+        self.assertEqual(self.notes, "")
+        self.write("e.exr", plain_exr(64, 32, {"Z": lambda x, y: 1, "beauty.R": lambda x, y: 1}))
+        self.refused_image("e.exr", ["Z", "beauty.R"])
+        self.write("f.exr", plain_exr(64, 32, {"beauty.Y": lambda x, y: 0.3}))
+        self.grey_is("f.exr", 0.3)
+
+    def test_parts_of_an_exr(self):
+        depth = ("depth", {"Z": lambda x, y: 1}, WHOLE, WHOLE, [])
+        self.write("a.exr", exr(depth, ("beauty", grey(0.7), WHOLE, WHOLE, [])))
+        self.grey_is("a.exr", 0.7, ["Z (part 1)"])
+        self.write("b.exr", exr(("beauty", grey(0.7), WHOLE, WHOLE, []), ("diffuse", grey(9), WHOLE, WHOLE, [])))
+        self.refused_image("b.exr", ["several pictures", "part 1 (beauty)", "part 2 (diffuse)"])
+        self.write("c.exr", exr(("beauty", grey(0.7), WHOLE, WHOLE, []), ("diffuse", layer("diffuse.", 9), WHOLE, WHOLE, [])))
+        self.grey_is("c.exr", 0.7, ["diffuse.R (part 2)"])
+
+    def test_windows_of_an_exr(self):
+        self.write("a.exr", exr(("", grey(0.7), (0, 0, 63, 15), WHOLE, [])))       # the northern half
+        got = self.drawn("a.exr", size="8x4")
+        self.near(got[0][3], (0.7,) * 3)
+        self.assertEqual(got[3][3], (0, 0, 0))
+        self.write("b.exr", exr(("", rgb(*[lambda x, y: 0.7 if 0 <= y < 32 else 9] * 3), (-5, -9, 68, 40), WHOLE, [])))
+        for row in self.drawn("b.exr", size="8x4", fov=140):
+            for pixel in row:
+                self.near(pixel, (0.7,) * 3)
+        self.assertIn("outside of its display window", self.notes)
+        self.write("c.exr", exr(("", grey(0.7), (100, 0, 120, 9), WHOLE, [])))
+        self.refused_image("c.exr", ["display window"])
+
+    def test_alpha(self):
+        self.write("a.exr", plain_exr(64, 32, {**grey(0.4), "A": lambda x, y: 0.5}))
+        self.grey_is("a.exr", 0.4)   # colours of an EXR are multiplied by it
+        half = 32896 / 65535
+        self.write("a.png", png(64, 32, lambda x, y: (40000, 40000, 40000, 32896), alpha=True))
+        self.grey_is("a.png", half * linear(40000 / 65535))
+        disc = '[disc]\ninner = 0.5\nouter = 12\ntexture = "image"\nimage = "{}"\nopacity = 1.0\n'
+        self.write("black.exr", plain_exr(16, 8, grey(0)))
+        for name, value in (("a.exr", 0.4), ("a.png", half * linear(40000 / 65535))):
+            self.write("d.toml", '[spacetime]\nmetric = "minkowski"\n[camera]\nr = 30.0\ntheta = 5.0\nfov = 10\n[sky]\nkind = "black"\n' + disc.format(name))
+            self.run_nullscope("capture", "d.toml", "--size", "8x4", "-o", "d.exr")
+            got = read_floats((self.folder / "d.exr").read_bytes())
+            self.near([got[c][0][0] for c in "RGB"], (value,) * 3)
+        ball = '[ball]\nposition = [10, 0, 0]\nradius = 8\ntexture = "image"\nimage = "a.png"\n'
+        self.grey_is("black.exr", linear(40000 / 65535), ["a.png", "alpha"], more=ball)
+        self.write("lost.exr", plain_exr(64, 32, {**grey(0.4), "A": lambda x, y: 0.0 if x < 3 else 1.0}))
+        self.grey_is("lost.exr", 0.4)   # a sky is over black
+
+    def test_primaries(self):
+        pixel = (0.5, 0.4, 0.3)
+        wide = rgb(*[lambda x, y, v=v: v for v in pixel])
+        self.write("a.exr", plain_exr(64, 32, wide, [chromaticities(REC2020)]))
+        self.near(self.middle("a.exr"), to_709(pixel))
+        self.assertEqual(self.notes, "")
+        self.write("b.exr", plain_exr(64, 32, rgb(lambda x, y: 0.1, lambda x, y: 0.9, lambda x, y: 0.1), [chromaticities(REC2020)]))
+        self.assertEqual(self.middle("b.exr")[0], 0)
+        self.assertIn("below 0", self.notes)
+        c = [round(100000 * v) for v in (*REC2020[6:], *REC2020[:6])]
+        self.write("a.png", png(64, 32, lambda x, y: [round(65535 * v) for v in pixel],
+                                chunks=[(b"cHRM", struct.pack(">8I", *c)), (b"gAMA", struct.pack(">I", 100000))]))
+        self.near(self.middle("a.png"), to_709(pixel))
+        self.write("a.hdr", hdr(64, 32, lambda x, y: (128, 102, 77, 128), "PRIMARIES=" + " ".join(map(str, REC2020)) + "\n"))
+        self.near(self.middle("a.hdr"), to_709((128 / 256, 102 / 256, 77 / 256)))
+
+    def test_png_says_what_its_codes_are(self):
+        code = 30000
+        for name, chunks, value, notes in (
+                ("linear", [(b"gAMA", struct.pack(">I", 100000))], code / 65535, ()),
+                ("usual", [(b"gAMA", struct.pack(">I", 45455))], linear(code / 65535), ()),
+                ("srgb", [(b"gAMA", struct.pack(">I", 45455)), (b"sRGB", b"\0")], linear(code / 65535), ()),
+                ("pq", [(b"cICP", bytes((9, 16, 0, 1)))], linear(code / 65535), ("cICP", "transfer 16")),
+                ("mac", [(b"gAMA", struct.pack(">I", 55556))], (code / 65535) ** 1.8, ())):
+            self.write(name + ".png", png(64, 32, lambda x, y: (code,) * 3, chunks=chunks))
+            self.grey_is(name + ".png", value, notes)
+        profile = bytearray(144) + bytes(range(156))   # one tag
+        profile[0:4] = struct.pack(">I", len(profile))
+        profile[8:24] = bytes((4, 0, 0, 0)) + b"mntrRGB XYZ "
+        profile[36:40] = b"acsp"
+        profile[68:80] = struct.pack(">3I", 0xf6d6, 0x10000, 0xd32d)
+        profile[128:144] = struct.pack(">I4sII", 1, b"desc", 144, 156)
+        body = b"Wide\0\0" + zlib.compress(bytes(profile))
+        self.write("icc.png", png(64, 32, lambda x, y: (code,) * 3, chunks=[(b"iCCP", body)]))
+        self.grey_is("icc.png", linear(code / 65535), ("iCCP", "Wide"))
+
+    def test_orientation(self):
+        """Of a picture that is bright in its upper left quarter, stored in every way."""
+        def at(orientation, x, y):   # of the stored picture, 64 x 32 or 32 x 64: the place in the one that is seen
+            w, h = 64, 32
+            return {1: (x, y), 2: (w - 1 - x, y), 3: (w - 1 - x, h - 1 - y), 4: (x, h - 1 - y),
+                    5: (y, x), 6: (w - 1 - y, x), 7: (w - 1 - y, h - 1 - x), 8: (y, h - 1 - x)}[orientation]
+
+        def value(orientation):
+            def pixel(x, y):
+                column, row = at(orientation, x, y)
+                return ((60000 if column < 32 and row < 16 else 20000) + 100 * column + 10 * row,) * 3
+            return pixel
+        wanted = None
+        for orientation in range(1, 9):
+            size = (64, 32) if orientation < 5 else (32, 64)
+            for order in "<>":
+                self.write("o.png", png(*size, value(orientation), chunks=[(b"eXIf", exif(orientation, order))]))
+                got = self.drawn("o.png", size="8x4", fov=150)
+                wanted = wanted or got
+                self.assertEqual(got, wanted, orientation)
+        for flip, signs in ((1, "-Y 32 +X 64"), (2, "-Y 32 -X 64"), (3, "+Y 32 -X 64"), (4, "+Y 32 +X 64")):
+            self.write("o.hdr", hdr(64, 32, lambda x, y: (200 if at(flip, x, y)[0] < 32 and at(flip, x, y)[1] < 16 else 90,) * 3 + (129,), size=signs))
+            got = self.drawn("o.hdr", size="8x4", fov=150)
+            wanted = got if flip == 1 else wanted
+            self.assertEqual(got, wanted, flip)
+        self.assertGreater(len({p for row in wanted for p in row}), 1)
+
+    def test_orientation_of_a_jpeg(self):
+        self.write("left.png", png(64, 32, lambda x, y: ((60000 if x < 32 else 9000) if y < 16 else 30000,) * 3))
+        self.write("j.toml", '[spacetime]\nmetric = "minkowski"\n[camera]\nr = 30\ntheta = 90\nfov = 120\n[sky]\nkind = "image"\nimage = "left.png"\nyaw = 180.0\n')
+        self.run_nullscope("capture", "j.toml", "--size", "64x64", "-o", "as.jpg", "--quality", "100")
+        plain = (self.folder / "as.jpg").read_bytes()
+        seen = self.drawn("as.jpg", size="16x8", fov=150)
+        for orientation in (3, 6):
+            body = b"Exif\0\0" + exif(orientation, ">")
+            marked = plain[:2] + b"\xff\xe1" + struct.pack(">H", len(body) + 2) + body + plain[2:]
+            self.write("o.jpg", marked)
+            self.assertNotEqual(self.drawn("o.jpg", size="16x8", fov=150), seen)
+            if orientation == 3:   # by half a turn: seen from behind and head over
+                got = self.drawn("o.jpg", size="16x8", fov=150, sky="yaw = 0.0")
+                for y in range(8):
+                    for x in range(16):
+                        self.near(got[y][x], seen[7 - y][15 - x], 0.02)
+        profile = b"ICC_PROFILE\0\x01\x01" + b"Display P3" * 20
+        self.write("p3.jpg", plain[:2] + b"\xff\xe2" + struct.pack(">H", len(profile) + 2) + profile + plain[2:])
+        self.drawn("p3.jpg", size="8x4")
+        self.assertIn("colour profile", self.notes)
+
+    def test_header_of_a_radiance_picture(self):
+        pixel = lambda x, y: (128, 128, 128, 129)
+        self.write("a.hdr", hdr(64, 32, pixel, "EXPOSURE=1.0\nSOFTWARE=x\n"))
+        self.grey_is("a.hdr", 1.0)
+        self.write("b.hdr", hdr(64, 32, pixel, "EXPOSURE=4.0\n"))
+        self.grey_is("b.hdr", 1.0, ["b.hdr", "EXPOSURE=4.0"])
+
+    def test_what_is_no_light(self):
+        self.write("n.exr", plain_exr(64, 32, rgb(lambda x, y: -0.5 if x == 0 and y == 0 else 0.7, lambda x, y: float("nan") if y == 0 else 0.7,
+                                                  lambda x, y: float("inf") if y == 31 else 0.7)))
+        self.near(self.middle("n.exr"), (0.7,) * 3)
+        for words in ("1 numbers below 0", "64 numbers that are NaN", "64 infinite numbers"):
+            self.assertIn(words, self.notes)
+
+
+if __name__ == "__main__":
+    support.main()
