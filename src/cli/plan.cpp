@@ -10,11 +10,13 @@
 #include "command/json.h"
 #include "image/large_image.h"
 #include "plan/moving.h"
+#include "render/body_images.h"
 #include "render/renderer.h"
 #include "render/warp_texture.h"
 #include "scene/bodies.h"
 #include "scenefile/scene_file.h"
 #include "shaderlib/passes.h"
+#include "sky/packed_sky.h"
 #include "sky/point_stars.h"
 #include "table/disc_light.h"
 
@@ -74,10 +76,14 @@ void add_tables(const FrameTables& tables, const Scene& scene, std::vector<PlanL
 
 // As Renderer::textures() counts them, once made.
 Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<PlanLine>& lines) {
-    if (effects.contains(Effect::kSky)) {
-        const long long size = sky_face_size(scene, kMostCubeFace);
-        lines.push_back({"sky", 6, size, size, 32 * size * size, "GPU",
-                         "camera.fov and camera.size: a texel a ray"});  // 4 B, mip levels
+    const bool far = effects.contains(Effect::kFarSky), near = effects.contains(Effect::kSky);
+    if (far || near) {
+        const SkyFaces faces = sky_faces(sky_asked(scene, effects), kMostCubeFace);
+        const long long size = far && near ? bordered_size(faces.size) : faces.size;
+        for (const auto& [name, there] : {std::pair{"far sky", far}, {"sky", near}})
+            if (there)  // with mip levels
+                lines.push_back({name, 6, size, size, (faces.halves ? 64 : 32) * size * size, "GPU",
+                                 fmt::format("{}; {}", faces.words(), faces.halves ? "half floats" : "small floats")});
     }
     if (effects.contains(Effect::kThermalDisc))
         lines.push_back({"disc flow", 1, kDiscFlowCells + 1, kDiscFlowRows, 16 * (kDiscFlowCells + 1) * kDiscFlowRows,
@@ -112,7 +118,7 @@ Status add_pictures(const EffectSet& effects, const Scene& scene, std::vector<Pl
         add_image("disc", image->image);
     }
     for (const auto& file : body_images(scene)) {
-        TRY(image, load_fitted_image(file));
+        TRY(image, load_fitted_image(file, body_image_limits(ImageLimits().max_side)));
         std::size_t body = 0;
         while (scene.bodies[body].material.image != file) ++body;
         add_image(body_section(scene, body), image->image);

@@ -120,6 +120,7 @@ Result<Drawn> drawn_by_reference(const ProfileOptions& options, Scene scene, con
     camera.part = PicturePart{first[0], first[1], sides[0], sides[1]};
     camera.width = size[0], camera.height = size[1];
     TRY(inputs, load_reference_inputs(scene));
+    for (const std::string& note : (*inputs)->notes) fmt::print(stderr, "{}\n", note);
     TRY(stars, point_stars(scene.sky, assets_directory()));
     Progress progress("reference picture", static_cast<long long>(size[0]) * size[1]);
     TRY(picture, reference::render_frame(

@@ -142,6 +142,7 @@ Result<PictureDrawer> picture_drawer(Session* session, const Scene& scene, const
         return PictureDrawer(
             [session, options](const Exposure& shown) { return capture_gl(*session, shown, options, nullptr); });
     TRY(loaded, load_reference_inputs(scene));
+    for (const std::string& note : (*loaded)->notes) options.listener.note(note);
     TRY(stars, point_stars(scene.sky, assets_directory()));
     const auto inputs = std::make_shared<const Inputs>(Inputs{std::move(*loaded), std::move(*stars)});
     return PictureDrawer(

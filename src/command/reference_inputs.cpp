@@ -1,8 +1,13 @@
 #include "command/reference_inputs.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "base/assets.h"
 #include "image/large_image.h"
 #include "plan/effects.h"
+#include "render/body_images.h"
 #include "render/renderer.h"
 #include "scene/bodies.h"
 #include "sky/sky.h"
@@ -17,21 +22,29 @@ reference::Pictures ReferenceInputs::pictures(const Scene& scene) const {
 }
 
 Result<std::unique_ptr<const ReferenceInputs>> load_reference_inputs(const Scene& scene) {
-    constexpr int kSkyFace = 2048;
-    auto inputs = std::make_unique<ReferenceInputs>();
-    TRY(sky, build_sky(scene.sky, assets_directory(), kSkyFace));
-    inputs->sky = std::move(*sky);
+    constexpr int kLeastFace = 2048, kMostFace = 4096;  // px
     const EffectSet effects = effect_set(required_effects(scene));
+    const int face = std::max(kLeastFace, sky_faces(sky_asked(scene, effects), kMostFace).size);
+    auto inputs = std::make_unique<ReferenceInputs>();
+    const auto take_notes = [&](std::vector<std::string>& notes) {
+        std::ranges::move(notes, std::back_inserter(inputs->notes));
+    };
+    TRY(sky, build_sky(scene.sky, assets_directory(), face));
+    take_notes(sky->notes);
+    inputs->sky = std::move(*sky);
     if (effects.contains(Effect::kFarSky)) {
-        TRY(far_sky, build_sky(scene.far_sky, assets_directory(), kSkyFace));
+        TRY(far_sky, build_sky(scene.far_sky, assets_directory(), face));
+        take_notes(far_sky->notes);
         inputs->far_sky = std::move(*far_sky);
     }
     if (effects.contains(Effect::kDiscImage)) {
         TRY(image, load_disc_image(*scene.disc));
+        take_notes(image->notes);
         inputs->disc = std::move(image->image);
     }
     for (const auto& file : body_images(scene)) {
-        TRY(image, load_fitted_image(file));
+        TRY(image, load_fitted_image(file, body_image_limits(ImageLimits().max_side)));
+        take_notes(image->notes);
         inputs->bodies[file] = std::move(image->image);
     }
     return std::unique_ptr<const ReferenceInputs>(std::move(inputs));

@@ -4,6 +4,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "reference/reference.h"
@@ -16,6 +18,7 @@ struct ReferenceInputs {
     std::optional<SkyCube> far_sky;
     std::optional<Image<float>> disc;
     std::map<std::filesystem::path, Image<float>> bodies;
+    std::vector<std::string> notes;  // what was done to files, and what of them is not used: a line each
 
     const SkyCube* far() const { return far_sky ? &*far_sky : nullptr; }
     reference::Pictures pictures(const Scene& scene) const;

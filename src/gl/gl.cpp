@@ -12,7 +12,14 @@
 namespace nullscope::gl {
 namespace {
 
-constexpr GLenum kPacked = GL_UNSIGNED_INT_10F_11F_11F_REV;  // of a sky's texels
+// How a sky's texels are stored and come.
+struct SkyTexelKind {
+    GLenum stored, format, type;
+};
+constexpr SkyTexelKind sky_texel_kind(bool halves) {
+    if (halves) return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT};
+    return {GL_R11F_G11F_B10F, GL_RGB, GL_UNSIGNED_INT_10F_11F_11F_REV};
+}
 
 std::string text_of(GLenum name) {
     const GLubyte* text = glGetString(name);
@@ -78,23 +85,6 @@ Texture plain_texture(int width, int height, GLint stored, GLenum format, GLenum
     set_sampling(GL_TEXTURE_2D, filter, filter);
     glTexImage2D(GL_TEXTURE_2D, 0, stored, width, height, 0, format, type, data);
     return texture;
-}
-
-// Means of 2 x 2 pixels, of 2 x 1 where a side is 1 already.
-std::vector<float> halved(const float* from, int width, int height, int channels) {
-    const int to_width = std::max(width / 2, 1), to_height = std::max(height / 2, 1);
-    const std::size_t across = width > 1 ? static_cast<std::size_t>(channels) : 0,
-                      row = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels),
-                      down = height > 1 ? row : 0;
-    std::vector<float> to(static_cast<std::size_t>(to_width) * static_cast<std::size_t>(to_height) *
-                          static_cast<std::size_t>(channels));
-    float* out = to.data();
-    for (int y = 0; y < to_height; ++y)
-        for (int x = 0; x < to_width; ++x) {
-            const float* p = from + 2 * static_cast<std::size_t>(y) * down + 2 * static_cast<std::size_t>(x) * across;
-            for (int c = 0; c < channels; ++c, ++p) *out++ = 0.25f * (p[0] + p[across] + p[down] + p[across + down]);
-        }
-    return to;
 }
 
 void read_rows(const Target& target, int attachment, int first, int rows, GLenum type, void* out) {
@@ -209,21 +199,13 @@ Texture make_number_layers(int width, int height, int layers, const float* value
     return texture;
 }
 
-// Where sides are powers of two, mip levels are made here: a software driver would compile a shader for them first, some 40 ms.
-Texture make_picture_texture(int width, int height, int channels, const float* data) {
+Texture make_picture_texture(const std::vector<HalfTexels>& levels) {
     Texture texture(new_texture(GL_TEXTURE_2D));
     set_sampling(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
-    const GLenum format = channels == 4 ? GL_RGBA : GL_RGB;
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, width, height, 0, format, GL_FLOAT, data);
-    const bool powers =
-        std::has_single_bit(static_cast<unsigned>(width)) && std::has_single_bit(static_cast<unsigned>(height));
-    if (!powers) glGenerateMipmap(GL_TEXTURE_2D);
-    std::vector<float> texels;
-    for (int level = 1; powers && (width > 1 || height > 1); ++level) {
-        texels = level == 1 ? halved(data, width, height, channels) : halved(texels.data(), width, height, channels);
-        width = std::max(width / 2, 1), height = std::max(height / 2, 1);
-        glTexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, width, height, 0, format, GL_FLOAT, texels.data());
-    }
+    int level = 0;
+    for (const HalfTexels& texels : levels)
+        glTexImage2D(GL_TEXTURE_2D, level++, GL_RGBA16F, texels.width, texels.height, 0, GL_RGBA, GL_HALF_FLOAT,
+                     texels.rgba);
     check("picture texture");
     return texture;
 }
@@ -234,7 +216,9 @@ Texture make_rgba8_texture(int width, int height, const unsigned char* rgba) {
     return texture;
 }
 
-Texture make_sky(int size, int levels, int layers) {
+Texture make_sky(int size, int levels, int layers, bool halves) {
+    const SkyTexelKind kind = sky_texel_kind(halves);
+    const auto stored = static_cast<GLint>(kind.stored);
     const GLenum target = layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_CUBE_MAP;
     Texture texture(new_texture(target));
     set_sampling(target, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
@@ -242,10 +226,10 @@ Texture make_sky(int size, int levels, int layers) {
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
     for (int level = 0; level < levels; ++level) {
         const int side = size >> level;
-        if (layers > 0) glTexImage3D(target, level, GL_R11F_G11F_B10F, side, side, layers, 0, GL_RGB, kPacked, nullptr);
+        if (layers > 0) glTexImage3D(target, level, stored, side, side, layers, 0, kind.format, kind.type, nullptr);
         for (GLenum face = 0; layers == 0 && face < 6; ++face)
-            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, GL_R11F_G11F_B10F, side, side, 0, GL_RGB,
-                         kPacked, nullptr);
+            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, stored, side, side, 0, kind.format, kind.type,
+                         nullptr);
     }
     check("sky texture");
     return texture;
@@ -253,12 +237,13 @@ Texture make_sky(int size, int levels, int layers) {
 
 void fill_sky(const Texture& texture, bool layered, const SkyTexels& t) {
     bind(0, layered ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_CUBE_MAP, texture.id());
+    const SkyTexelKind kind = sky_texel_kind(t.halves);
     if (layered)
-        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, t.level, 0, t.first_row, t.layer, t.width, t.rows, 1, GL_RGB, kPacked,
-                        t.texels);
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, t.level, 0, t.first_row, t.layer, t.width, t.rows, 1, kind.format,
+                        kind.type, t.texels);
     else
         glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(t.layer), t.level, 0, t.first_row, t.width,
-                        t.rows, GL_RGB, kPacked, t.texels);
+                        t.rows, kind.format, kind.type, t.texels);
 }
 
 Buffer make_uniform_buffer(std::size_t bytes) {

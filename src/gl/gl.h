@@ -84,16 +84,21 @@ void bind_uniform_block(const Program& program, const char* block, unsigned bind
 Texture make_number_texture(int width, int height, int channels, const float* values, bool linear);
 // Layers of numbers in 4 channels, float, that are fetched. throws GlError if they are more, or larger, than the driver takes.
 Texture make_number_layers(int width, int height, int layers, const float* values);
-// A picture with mip levels: RGB(A) float, linear light, stored as RGBA16F; clamped, trilinear.
-Texture make_picture_texture(int width, int height, int channels, const float* data);
+// A picture, linear light, as RGBA16F with all its mip levels, each side half of the one before (at least 1, rounded down); clamped, trilinear.
+struct HalfTexels {
+    int width, height;
+    const std::uint16_t* rgba;  // half floats
+};
+Texture make_picture_texture(const std::vector<HalfTexels>& levels);
 // Colours for the eye: RGBA8 as they are, nearest, one level, top row first.
 Texture make_rgba8_texture(int width, int height, const unsigned char* rgba);
-// Skies: texels of R11F_G11F_B10F that come packed, by fill_sky. Trilinear. layers 0: a cube map's six faces, seamless;
-// else each is a face.
-Texture make_sky(int size, int levels, int layers);
+// Skies: texels that come packed, by fill_sky, of R11F_G11F_B10F or (halves) RGBA16F. Trilinear. layers 0: a cube map's six faces, seamless;
+// else each is a face. throws GlError where the driver has no memory for it.
+Texture make_sky(int size, int levels, int layers, bool halves);
 struct SkyTexels {
     int layer, level, first_row, rows, width;
-    const std::uint32_t* texels;
+    bool halves;
+    const void* texels;
 };
 void fill_sky(const Texture& texture, bool layered, const SkyTexels& texels);
 

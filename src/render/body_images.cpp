@@ -2,22 +2,29 @@
 
 #include <fmt/format.h>
 
-#include "image/large_image.h"
+#include <utility>
+
+#include "image/half_levels.h"
 
 namespace nullscope {
 
 std::string body_image_sampler(int image) { return fmt::format("body_image_{}", image); }
 
-Status PictureTexture::update(const std::filesystem::path& wanted, int largest, std::vector<std::string>& notes) {
+Status PictureTexture::update(const std::filesystem::path& wanted, const ImageLimits& limits,
+                              std::vector<std::string>& notes) {
     if (file == wanted) return Done{};
     *this = {};
     if (wanted.empty()) return Done{};
-    TRY(fitted, load_fitted_image(wanted, {.max_side = largest}));
+    TRY(fitted, load_fitted_image(wanted, limits));
+    notes.insert(notes.end(), fitted->notes.begin(), fitted->notes.end());
     if (fitted->reduced())
-        notes.push_back(reduction_words(wanted, *fitted, fmt::format("textures are limited to {} px here", largest)));
-    const Image<float>& image = fitted->image;
-    texture = gl::make_picture_texture(image.width, image.height, image.channels, image.data.data());
-    file = wanted, width = image.width, height = image.height;
+        notes.push_back(
+            reduction_words(wanted, *fitted, fmt::format("textures are limited to {} px here", limits.max_side)));
+    file = wanted, width = fitted->image.width, height = fitted->image.height;
+    const std::vector<HalfLevel> levels = half_levels(std::move(fitted->image));
+    std::vector<gl::HalfTexels> texels;
+    for (const HalfLevel& level : levels) texels.push_back({level.width, level.height, level.rgba.data()});
+    texture = gl::make_picture_texture(texels);
     return Done{};
 }
 
@@ -27,7 +34,8 @@ Status BodyImages::update(const Scene& scene, int largest, std::vector<std::stri
         return bad_input(fmt::format("{} different images on bodies", files.size()),
                          fmt::format("at most {}", pictures_.size()));
     for (std::size_t i = 0; i < pictures_.size(); ++i) {
-        TRY(made, pictures_[i].update(i < files.size() ? files[i] : std::filesystem::path(), largest, notes));
+        TRY(made, pictures_[i].update(i < files.size() ? files[i] : std::filesystem::path(), body_image_limits(largest),
+                                      notes));
     }
     return Done{};
 }

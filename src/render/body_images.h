@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "gl/gl.h"
+#include "image/large_image.h"
 #include "scene/scene.h"
 #include "shaderlib/body_text.h"
 
@@ -14,12 +15,16 @@ namespace nullscope {
 
 std::string body_image_sampler(int image);  // of number `image` of body_images(): its sampler in the shader
 
+// An image on a solid body, which is opaque: without alpha. max_side: px.
+inline ImageLimits body_image_limits(int max_side) { return {.max_side = max_side, .alpha = Alpha::kLeftOut}; }
+
 struct PictureTexture {
     std::filesystem::path file;  // empty: no picture
     int width = 0, height = 0;
     gl::Texture texture;
-    // largest: px along a side, beyond which the file is read smaller; notes: a line is added if it was. Errors: it cannot be read.
-    Status update(const std::filesystem::path& wanted, int largest, std::vector<std::string>& notes);
+    // limits: max_side, beyond which the file is read smaller, and what becomes of alpha; notes: lines are added, of what was done to it and
+    // what of it is not used. Errors: it cannot be read.
+    Status update(const std::filesystem::path& wanted, const ImageLimits& limits, std::vector<std::string>& notes);
 };
 
 // The images on solid bodies.

@@ -16,6 +16,7 @@ struct TextureFacts {
     bool two_skies = false;                    // in one texture, with borders
     std::optional<double> disc_temperature_K;  // of the hottest ring; without one the scene's
     const MediumGrid* grid = nullptr;          // of a medium that has one
+    double sky_light = 1.0;                    // of a texel of 1
 };
 
 FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const TextureFacts& textures,

@@ -54,13 +54,6 @@ std::filesystem::path disc_image_file(const DiscSpec& disc) {
 
 }  // namespace
 
-int sky_face_size(const Scene& scene, int max_cube_size) {
-    const bool refined = effect_set(required_effects(scene)).contains(Effect::kRefine);
-    const double pixel = scene.camera.pixel() / (refined ? kRefined.front() : scene.picture.samples);
-    const int wanted = static_cast<int>(std::min(2.0 / pixel, 2048.0));  // a texel in a face's middle spans 2/size rad
-    return std::min(std::max(256, static_cast<int>(std::bit_ceil(static_cast<unsigned>(wanted)))), max_cube_size);
-}
-
 Result<FittedImage> load_disc_image(const DiscSpec& disc) { return load_fitted_image(disc_image_file(disc)); }
 
 std::vector<std::string> Renderer::take_notes() { return std::exchange(notes_, {}); }
@@ -87,7 +80,7 @@ Status Renderer::prepare(const Scene& scene) {
     begin_skies();  // they get ready while the rest is loaded
     const auto disc_file =
         tables_.effects().contains(Effect::kDiscImage) ? disc_image_file(*scene.disc) : std::filesystem::path();
-    if (Status status = disc_.update(disc_file, largest_picture_, notes_); !status) return status;
+    if (Status status = disc_.update(disc_file, {.max_side = largest_picture_}, notes_); !status) return status;
     body_text_ = body_text(scene, tables_.effects());
     if (Status status = body_images_.update(scene, largest_picture_, notes_); !status) return status;
     if (Status status = warp_.update(scene.camera, info_.max_texture_size); !status) return status;
@@ -98,8 +91,9 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = stars_.update(scene, tables_, star_search_); !status) return status;
     if (Status status = skies_.finish(notes_); !status) return status;
     upload_tables();
-    blocks_.upload(tables_, {skies_.size(), disc_.width, skies_.both(),
-                             hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt, medium_.grid()});
+    blocks_.upload(
+        tables_, {skies_.size(), disc_.width, skies_.both(),
+                  hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt, medium_.grid(), skies_.light()});
     return Done{};
 }
 
@@ -134,11 +128,15 @@ void Renderer::upload_ends() {
 
 void Renderer::begin_skies() {
     const Scene& scene = tables_.plan().scene;
-    const EffectSet& effects = tables_.effects();
-    const auto near = effects.contains(Effect::kSky) ? std::optional(scene.sky) : std::nullopt;
-    const auto far = effects.contains(Effect::kFarSky) ? std::optional(scene.far_sky) : std::nullopt;
-    const int wanted = near || far ? sky_face_size(scene, info_.max_cube_size) : 0;
-    skies_.begin(near, far, keep_finer_sky_ && wanted > 0 ? std::max(wanted, skies_.size()) : wanted);
+    const SkyAsked asked = sky_asked(scene, tables_.effects());
+    if (asked != sky_asked_) {  // it may look into files
+        sky_asked_ = asked;
+        const int most = std::min(info_.max_cube_size, std::max(largest_picture_, kUsualSkyFace));
+        sky_faces_ = asked.near || asked.far ? sky_faces(asked, most) : SkyFaces();
+        if (sky_faces_.halves && sky_faces_.coarse()) notes_.push_back("sky.image: " + sky_faces_.words());
+    }
+    const int wanted = sky_faces_.size;
+    skies_.begin(asked.near, asked.far, keep_finer_sky_ && wanted > 0 ? std::max(wanted, skies_.size()) : wanted);
 }
 
 void Renderer::load_heat() {
@@ -615,16 +613,16 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
         lines.push_back({std::move(name), width, height,
                          thirds * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 3});
     };
-    constexpr std::size_t kPicture = 32, kTexel = 48, kNumber = 12,
-                          kSky = 96;  // half floats with mip levels; numbers; 6 faces of 4 bytes
+    constexpr std::size_t kPicture = 32, kTexel = 48, kNumber = 12;  // half floats with mip levels; numbers
+    const std::size_t sky = 24 * skies_.texel_bytes();               // 6 faces with mip levels
     for (const auto& [name, texels] : tables_.path().tables())
         if (name != "ray ends" || ends_) add(std::string(name), texels->width, texels->height, kTexel);
     if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
     if (ball_paths_) add("ball paths", tables_.ball_paths().rows.width, tables_.ball_paths().rows.height, kTexel);
     if (clearances_) add("surface clearance", kClearanceWidth, tables_.clearances().rows(), kNumber);
     const int face = skies_.both() ? bordered_size(skies_.size()) : skies_.size();
-    if (skies_.far()) add("far sky", face, face, kSky);
-    if (skies_.near()) add("sky", face, face, kSky);
+    if (skies_.far()) add("far sky", face, face, sky);
+    if (skies_.near()) add("sky", face, face, sky);
     if (disc_.texture) add("disc image", disc_.width, disc_.height, kPicture);
     for (int image = 0; image < kMostBodyImages; ++image)
         if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(image)]; picture.texture)

@@ -21,6 +21,7 @@
 #include "render/picture_edges.h"
 #include "render/picture_layers.h"
 #include "render/picture_tiles.h"
+#include "render/sky_faces.h"
 #include "render/sky_textures.h"
 #include "render/star_field.h"
 #include "render/uniform_blocks.h"
@@ -196,6 +197,8 @@ private:
     std::size_t table_bytes_ = 0;
     double gpu_table_ms_ = 0.0;
     SkyTextures skies_;
+    std::optional<SkyAsked> sky_asked_;
+    SkyFaces sky_faces_;  // of it
     bool keep_finer_sky_ = false;
     std::optional<std::tuple<SpacetimeSpec, double, double, bool, bool, bool>>
         flow_key_;    // of disc_flow_: its radii, parts of g
@@ -205,9 +208,6 @@ private:
         double temperature_K = 0.0;
     } hottest_;
 };
-
-// Face size of the sky's cube map that matches a camera's rays, where a pixel has several those: a power of two, 256 ... 2048 and what the driver allows.
-int sky_face_size(const Scene& scene, int max_cube_size);
 
 // The image of the disc: the scene's, or the one that ships.
 Result<FittedImage> load_disc_image(const DiscSpec& disc);

@@ -1,5 +1,6 @@
 #include "render/sky_textures.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/assets.h"
@@ -23,15 +24,25 @@ Status SkyTextures::finish(std::vector<std::string>& notes) {
     if (painters_.empty()) return Done{};
     SkyTextures work = std::exchange(*this, {});  // nothing stays loaded where something fails
     const int levels = sky_levels(work.size_, work.both());
-    gl::Texture& texture = work.both() ? work.layers_ : work.near_ ? work.near_cube_ : work.far_cube_;
-    texture = gl::make_sky(work.both() ? bordered_size(work.size_) : work.size_, levels, work.both() ? 12 : 0);
-    int layer = 0;
+    std::vector<SkyPainter> painters;
+    double largest = 0.0;
     for (auto& coming : std::exchange(work.painters_, {})) {
         TRY(painter, coming.get());
         for (std::string& note : painter->notes()) notes.push_back(std::move(note));
-        pack_sky(*painter, [&](const PackedRows& rows) {
+        if (painter->is_image()) work.packing_.format = SkyFormat::kHalfFloats;
+        // A made sky is held within what small floats hold.
+        largest = std::max(largest, painter->is_image() ? painter->largest() : kMostHalf);
+        painters.push_back(std::move(*painter));
+    }
+    work.packing_.scale = packing_scale(work.packing_.format, largest);
+    const bool halves = work.packing_.format == SkyFormat::kHalfFloats;
+    gl::Texture& texture = work.both() ? work.layers_ : work.near_ ? work.near_cube_ : work.far_cube_;
+    texture = gl::make_sky(work.both() ? bordered_size(work.size_) : work.size_, levels, work.both() ? 12 : 0, halves);
+    int layer = 0;
+    for (const SkyPainter& painter : painters) {
+        pack_sky(painter, work.packing_, [&](const PackedRows& rows) {
             gl::fill_sky(texture, work.both(),
-                         {layer + rows.face, rows.level, rows.first, rows.count, rows.width, rows.texels});
+                         {layer + rows.face, rows.level, rows.first, rows.count, rows.width, halves, rows.texels});
         });
         layer += 6;
     }

@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "gl/gl.h"
 #include "scene/scene.h"
+#include "sky/packed_sky.h"
 #include "sky/sky_painter.h"
 
 namespace nullscope {
@@ -23,7 +24,9 @@ public:
     // Of near and far; units that no sky needs stay bare.
     void bind(int near_unit, int far_unit) const;
 
-    int size() const { return size_; }  // of a face
+    int size() const { return size_; }                     // of a face
+    double light() const { return 1.0 / packing_.scale; }  // of a texel of 1
+    std::size_t texel_bytes() const { return nullscope::texel_bytes(packing_.format); }
     bool both() const { return near_ && far_; }
     bool near() const { return near_.has_value(); }
     bool far() const { return far_.has_value(); }
@@ -32,6 +35,7 @@ private:
     gl::Texture near_cube_, far_cube_, layers_;
     std::optional<SkySpec> near_, far_;  // that are loaded, or begun
     int size_ = 0;
+    SkyPacking packing_;                                     // of both
     std::vector<std::future<Result<SkyPainter>>> painters_;  // begun
 };
 

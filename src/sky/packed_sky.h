@@ -1,20 +1,31 @@
-// A sky as textures hold it: texels of 32 bits, all mip levels. Never as a whole on the host: rows are painted and packed while the rows
+// A sky as textures hold it: packed texels, all mip levels. Never as a whole on the host: rows are painted and packed while the rows
 // before them are handed over.
 #pragma once
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
+#include "image/half_float.h"
 #include "sky/sky_painter.h"
 
 namespace nullscope {
 
-// OpenGL's R11F_G11F_B10F: red in the lowest bits. Numbers are cut off after 6, 6 and 5 bits, as Mesa does with floats; NaN and what
-// is below 0 become 0, what is beyond the largest numbers, 65024 and 64512, these.
+// OpenGL's R11F_G11F_B10F, red in the lowest bits, for skies that are made: stars and clouds without an exact value. RGBA16F, alpha 1, for
+// images: of them small floats would leave 1.6 % of a value, and blue not as red and green.
+enum class SkyFormat { kSmallFloats, kHalfFloats };
+inline constexpr std::size_t texel_bytes(SkyFormat format) { return format == SkyFormat::kHalfFloats ? 8 : 4; }
+
+// Rounded to the nearest number of 6, 6 and 5 bits of mantissa; NaN and what is below 0 become 0, what is beyond the largest numbers, 65024
+// and 64512, these.
 std::uint32_t packed_light(float red, float green, float blue);
 
-// The mean of every 2 x 2 texels of a picture: width/2 texels a row.
-void halve_packed(const std::uint32_t* from, int width, int rows, std::uint32_t* to);
+// The same of 10 bits each, at most 65504: red in the lowest 16 bits.
+std::uint64_t half_light(float red, float green, float blue);
+
+// What light is multiplied by before it is packed, so that the largest keeps below kMostHalf and the least its digits: a power of two. 1
+// for small floats.
+double packing_scale(SkyFormat format, double largest);
 
 // Faces in textures that are no cube maps (shaders/object/celestial_sphere.glsl) show beside them what lies there. Of kBorderOf texels of
 // a face one on each side is border: half a texel of the level of 16 texels, the coarsest that is filtered without a seam.
@@ -29,11 +40,17 @@ inline int sky_levels(int face_size, bool bordered) {
 // What is handed over: rows [first, first + count) of a level of a face, border included, packed.
 struct PackedRows {
     int face, level, first, count, width;
-    const std::uint32_t* texels;
+    const void* texels;
 };
 
-// All of the sky once, each level in rows from the first. `take` is called on this thread alone. Parallel: 0.35 s of processor time for
-// the stars at 2048. Memory: 7 MB for each thread at 2048.
-void pack_sky(const SkyPainter& painter, const std::function<void(const PackedRows&)>& take);
+// How a sky is packed: its light times scale.
+struct SkyPacking {
+    SkyFormat format = SkyFormat::kSmallFloats;
+    double scale = 1.0;
+};
+
+// All of the sky once, each level in rows from the first: the mean of the level before it, in float, rounded once. `take` is called on this
+// thread alone. Parallel: 0.35 s of processor time for the stars at 2048. Memory at 2048: 7 MB for each thread, 13 MB of half floats.
+void pack_sky(const SkyPainter& painter, const SkyPacking& packing, const std::function<void(const PackedRows&)>& take);
 
 }  // namespace nullscope

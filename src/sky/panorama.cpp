@@ -43,7 +43,8 @@ int samples_per_texel(double pixels_per_radian, int face_size) {
 Result<Image<float>> load_for(int face_size, const std::filesystem::path& path, std::vector<std::string>& notes) {
     constexpr int kLeastSide = 8192, kColumnsPerTexel = 4;
     const int side = std::max(kLeastSide, kColumnsPerTexel * face_size);
-    TRY(fitted, load_fitted_image(path, {.max_side = side}));
+    TRY(fitted, load_fitted_image(path, {.max_side = side, .alpha = Alpha::kOnBlack}));
+    notes.insert(notes.end(), fitted->notes.begin(), fitted->notes.end());
     if (fitted->reduced())
         notes.push_back(reduction_words(path, *fitted, fmt::format("the sky's faces are of {} px", face_size)));
     return std::move(fitted->image);
@@ -60,7 +61,28 @@ Vec3 sample_cap(const Image<float>& image, double side, double phi, double fract
     return bilinear(image, x, y, false);
 }
 
+// Pixels per radian: of a band to this latitude, of a cap from it.
+double density_of(const ImageSize& size, double limit) {
+    return std::max(size.width / (2.0 * kPi), size.height / (2.0 * limit));
+}
+double cap_density(const ImageSize& size, double limit) {
+    return 0.5 * std::min(size.width, size.height) / (0.5 * kPi - limit);
+}
+
 }  // namespace
+
+Result<double> panorama_density(const SkySpec& spec) {
+    const bool caps = spec.mapping != SkyMapping::kEquirectangular;
+    const double limit = caps ? spec.band_latitude : 0.5 * kPi;
+    TRY(size, image_size(spec.image));
+    double density = density_of(*size, limit);
+    if (caps)
+        for (const std::filesystem::path* file : {&spec.north_cap, &spec.south_cap}) {
+            TRY(cap, image_size(*file));
+            density = std::max(density, cap_density(*cap, limit));
+        }
+    return density;
+}
 
 Result<Panorama> Panorama::load(const SkySpec& spec, const Mat3& world_from_sky, int face_size) {
     Panorama made;
@@ -73,16 +95,18 @@ Result<Panorama> Panorama::load(const SkySpec& spec, const Mat3& world_from_sky,
         return bad_input(fmt::format("sky: band latitude {} is outside (0, pi/2)", limit));
     TRY(image, load_for(face_size, spec.image, made.notes_));
     made.image_ = std::move(*image);
-    double density = std::max(made.image_.width / (2.0 * kPi), made.image_.height / (2.0 * limit));
+    double density = density_of({made.image_.width, made.image_.height}, limit);
     if (caps)
         for (const auto& [file, cap] :
              {std::pair{&spec.north_cap, &made.north_}, std::pair{&spec.south_cap, &made.south_}}) {
             TRY(loaded, load_for(face_size, *file, made.notes_));
             *cap = std::move(*loaded);
-            density = std::max(density, 0.5 * std::min(cap->width, cap->height) / (0.5 * kPi - limit));
+            density = std::max(density, cap_density({cap->width, cap->height}, limit));
         }
     made.samples_ = samples_per_texel(density, face_size);
     made.brightness_ = spec.brightness;
+    for (const Image<float>* part : {&made.image_, &made.north_, &made.south_})
+        for (const float light : part->data) made.largest_ = std::max(made.largest_, spec.brightness * light);
     return made;
 }
 

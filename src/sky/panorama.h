@@ -11,6 +11,9 @@
 
 namespace nullscope {
 
+// Pixels per radian of the images of a sky, along the finest of their axes. Errors: as Panorama::load.
+Result<double> panorama_density(const SkySpec& spec);
+
 // A sky from the image files of the spec: bilinear, averaged over as many samples a texel as an image finer than the face needs.
 class Panorama {
 public:
@@ -21,6 +24,9 @@ public:
     // images.
     void paint(SkyRows& rows) const;
 
+    // No light of paint() exceeds it.
+    double largest() const { return largest_; }
+
     // What was done to images that are finer than the faces can show, a line each.
     const std::vector<std::string>& notes() const { return notes_; }
 
@@ -30,7 +36,7 @@ private:
 
     SkyMapping mapping_ = SkyMapping::kEquirectangular;
     Image<float> image_, north_, south_;  // the whole sphere, or the band and its caps
-    double band_latitude_ = 0.0, brightness_ = 1.0;
+    double band_latitude_ = 0.0, brightness_ = 1.0, largest_ = 0.0;
     int samples_ = 1;  // along each side of a texel
     Mat3 sky_from_world_;
     std::vector<std::string> notes_;

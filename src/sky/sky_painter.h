@@ -27,6 +27,9 @@ public:
     // The rows [first, first + count) of a face; first >= -border. Any number of threads may call it, each with rows of its own.
     void paint(int face, int first, int count, SkyRows& rows) const;
 
+    bool is_image() const { return image_.has_value(); }
+    double largest() const { return image_->largest(); }  // of an image: none of its light exceeds it
+
     std::vector<std::string> notes() const { return image_ ? image_->notes() : std::vector<std::string>(); }
 
 private:

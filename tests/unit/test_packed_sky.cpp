@@ -2,10 +2,13 @@
 #include <doctest/doctest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
+#include "image/half_levels.h"
 #include "sky/cube.h"
 #include "sky/packed_sky.h"
 #include "sky/sky.h"
@@ -18,7 +21,7 @@ namespace {
 const std::filesystem::path kAssets = test::source_folder() / "assets";
 
 // By the definition of OpenGL 3.3 core, 2.1.3 and 2.1.4: five bits of exponent, bias 15, and the rest mantissa.
-double unpacked(std::uint32_t bits, int mantissa_bits) {
+double unpacked(std::uint64_t bits, int mantissa_bits) {
     const auto exponent = static_cast<int>(bits >> mantissa_bits),
                mantissa = static_cast<int>(bits & ((1u << mantissa_bits) - 1));
     const double fraction = std::ldexp(mantissa, -mantissa_bits);
@@ -28,19 +31,27 @@ Vec3 unpacked(std::uint32_t texel) {
     return {unpacked(texel & 0x7ff, 6), unpacked(texel >> 11 & 0x7ff, 6), unpacked(texel >> 22, 5)};
 }
 
-using Level = std::vector<std::uint32_t>;
+Vec3 unpacked(std::uint64_t texel) {
+    return {unpacked(texel & 0x7fff, 10), unpacked(texel >> 16 & 0x7fff, 10), unpacked(texel >> 32 & 0x7fff, 10)};
+}
+
+template <class Texel>
+using Level = std::vector<Texel>;
 
 // By face and level; checks that every row comes once, in its order.
-std::vector<std::vector<Level>> levels_of(const SkyPainter& painter, bool bordered) {
+template <class Texel>
+std::vector<std::vector<Level<Texel>>> levels_of(const SkyPainter& painter, bool bordered, double scale = 1.0) {
     const int levels = sky_levels(painter.face_size(), bordered),
               side = bordered ? bordered_size(painter.face_size()) : painter.face_size();
-    std::vector<std::vector<Level>> all(6, std::vector<Level>(static_cast<std::size_t>(levels)));
-    pack_sky(painter, [&](const PackedRows& rows) {
+    std::vector<std::vector<Level<Texel>>> all(6, std::vector<Level<Texel>>(static_cast<std::size_t>(levels)));
+    const SkyFormat format = sizeof(Texel) == 8 ? SkyFormat::kHalfFloats : SkyFormat::kSmallFloats;
+    pack_sky(painter, {format, scale}, [&](const PackedRows& rows) {
         REQUIRE(rows.level < levels);
-        Level& level = all[static_cast<std::size_t>(rows.face)][static_cast<std::size_t>(rows.level)];
+        Level<Texel>& level = all[static_cast<std::size_t>(rows.face)][static_cast<std::size_t>(rows.level)];
         REQUIRE(rows.width == side >> rows.level);
         REQUIRE(level.size() == static_cast<std::size_t>(rows.first * rows.width));
-        level.insert(level.end(), rows.texels, rows.texels + rows.count * rows.width);
+        const auto* texels = static_cast<const Texel*>(rows.texels);
+        level.insert(level.end(), texels, texels + rows.count * rows.width);
     });
     for (const auto& face : all)
         for (int level = 0; level < levels; ++level)
@@ -49,66 +60,134 @@ std::vector<std::vector<Level>> levels_of(const SkyPainter& painter, bool border
     return all;
 }
 
+template <class Texel>
+Vec3 mean_of(const Level<Texel>& level) {
+    Vec3 sum;
+    for (const Texel texel : level) sum = sum + unpacked(texel);
+    return sum / static_cast<double>(level.size());
+}
+
+Vec3 mean_of(const Image<float>& face) {
+    Vec3 sum;
+    for (std::size_t i = 0; i < face.data.size(); i += 3)
+        sum = sum + Vec3{face.data[i], face.data[i + 1], face.data[i + 2]};
+    return sum / (static_cast<double>(face.data.size()) / 3.0);
+}
+
+double worst_relative(Vec3 got, Vec3 wanted) {
+    return std::max(
+        {std::fabs(got.x / wanted.x - 1.0), std::fabs(got.y / wanted.y - 1.0), std::fabs(got.z / wanted.z - 1.0)});
+}
+
 }  // namespace
 
-TEST_CASE("packed_light: cut off after six and five bits, never more than it was, never what is no number") {
-    for (double value = std::ldexp(1.0, -20); value < 65000.0; value *= 1.137) {
+TEST_CASE("packed light: the nearest number there is, never more than the largest, never what is no number") {
+    for (double value = std::ldexp(1.0, -20); value < 64000.0; value *= 1.137) {
         const auto v = static_cast<float>(value);
-        const Vec3 kept = unpacked(packed_light(v, v, v));
-        const double step6 = std::max(std::ldexp(1.0, -20), std::ldexp(value, -6)),
-                     step5 = std::max(std::ldexp(1.0, -19), std::ldexp(value, -5));
+        const Vec3 small = unpacked(packed_light(v, v, v)), half = unpacked(half_light(v, v, v));
+        const auto near = [&](double kept, int bits) {
+            CHECK(std::fabs(kept - v) <= 0.5 * std::max(std::ldexp(1.0, -14 - bits), std::ldexp(value, -bits)));
+        };
         CAPTURE(value);
-        CHECK(kept.x <= v);
-        CHECK(kept.x > v - step6);
-        CHECK(kept.y == kept.x);
-        CHECK(kept.z <= v);
-        CHECK(kept.z > v - step5);
-        CHECK(packed_light(static_cast<float>(kept.x), static_cast<float>(kept.y), static_cast<float>(kept.z)) ==
-              packed_light(v, v, v));
+        near(small.x, 6), near(small.z, 5), near(half.x, 10);
+        CHECK(small.y == small.x);
+        CHECK(half.y == half.x);
+        CHECK(half.z == half.x);
+        const auto again = [](double kept) { return static_cast<float>(kept); };
+        CHECK(packed_light(again(small.x), again(small.y), again(small.z)) == packed_light(v, v, v));
+        CHECK(half_light(again(half.x), again(half.x), again(half.x)) == half_light(v, v, v));
     }
     constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
     CHECK(packed_light(0, -1, -kInfinity) == 0);
     CHECK(packed_light(kNan, kNan, kNan) == 0);
-    const Vec3 most = unpacked(packed_light(kInfinity, 1e30f, 1e6f));
-    CHECK(most.x == 65024.0);
-    CHECK(most.y == 65024.0);
-    CHECK(most.z == 64512.0);
+    CHECK(unpacked(half_light(kNan, -1, -kInfinity)) == Vec3{});
+    CHECK(unpacked(packed_light(kInfinity, 1e30f, 1e6f)) == Vec3{65024, 65024, 64512});
+    CHECK(unpacked(half_light(kInfinity, 65519, 65504)) == Vec3{65504, 65504, 65504});
+    CHECK((half_light(1, 1, 1) >> 48) == 0x3c00);
 }
 
-TEST_CASE("halve_packed: the mean of two by two") {
-    const Level four = {packed_light(1, 0, 3e-5f), packed_light(2, 8, 0), packed_light(3, 8, 3e-5f),
-                        packed_light(4, 0, 0)};
-    std::uint32_t one = 0;
-    halve_packed(four.data(), 2, 2, &one);
-    CHECK(unpacked(one).x == 2.5);
-    CHECK(unpacked(one).y == 4.0);
-    const double dark = unpacked(packed_light(0, 0, 3e-5f)).z / 2;
-    CHECK(unpacked(one).z <= dark);
-    CHECK(unpacked(one).z > dark - std::ldexp(1.0, -19));
+TEST_CASE("packing_scale: the largest light stays below 65504, and the least keeps its digits") {
+    for (const double largest : {1e-12, 3e-3, 1.0, 65504.0, 65505.0, 1e9}) {
+        const double scale = packing_scale(SkyFormat::kHalfFloats, largest);
+        CAPTURE(largest);
+        CHECK(scale * largest <= 65504.0);
+        CHECK(scale * largest > 0.49 * 65504.0);
+        CHECK(std::log2(scale) == std::round(std::log2(scale)));
+    }
+    CHECK(packing_scale(SkyFormat::kHalfFloats, 0.0) == 1.0);
+    CHECK(packing_scale(SkyFormat::kSmallFloats, 1e9) == 1.0);
 }
 
-TEST_CASE("pack_sky: the texels of build_sky, and each level the halved one before it; threads do not matter") {
+TEST_CASE("pack_sky: the texels of build_sky, rounded; threads do not matter") {
     constexpr int kFace = 256;
     const auto painter = SkyPainter::make({}, kAssets, kFace, 0);
     const auto floats = build_sky({}, kAssets, kFace);
     REQUIRE(painter);
     REQUIRE(floats);
-    const auto all = levels_of(*painter, false);
+    const auto small = levels_of<std::uint32_t>(*painter, false);
+    const auto half = levels_of<std::uint64_t>(*painter, false, 2.0);
     for (std::size_t face = 0; face < 6; ++face) {
-        Level wanted;
+        Level<std::uint32_t> wanted;
+        Level<std::uint64_t> wanted_half;
         const std::vector<float>& data = floats->faces[face].data;
-        for (std::size_t i = 0; i < data.size(); i += 3)
+        for (std::size_t i = 0; i < data.size(); i += 3) {
             wanted.push_back(packed_light(data[i], data[i + 1], data[i + 2]));
-        CHECK(all[face][0] == wanted);
-        for (std::size_t level = 1; level < all[face].size(); ++level) {
-            const int width = kFace >> (level - 1);
-            Level half(all[face][level].size());
-            halve_packed(all[face][level - 1].data(), width, width, half.data());
-            CHECK(all[face][level] == half);
+            wanted_half.push_back(half_light(2 * data[i], 2 * data[i + 1], 2 * data[i + 2]));
         }
+        CHECK(small[face][0] == wanted);
+        CHECK(half[face][0] == wanted_half);
     }
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    CHECK(levels_of(*painter, false) == all);
+    CHECK(levels_of<std::uint32_t>(*painter, false) == small);
+}
+
+TEST_CASE("every mip level of a sky has the light of the finest") {
+    constexpr double kHalf = 5e-4, kSmall = 0.016;  // half a step of what they are stored as: 2^-11 and 2^-6
+    constexpr int kFace = 256;
+    const auto painter = SkyPainter::make({}, kAssets, kFace, 0);
+    const auto floats = build_sky({}, kAssets, kFace);
+    REQUIRE(painter);
+    REQUIRE(floats);
+    const auto small = levels_of<std::uint32_t>(*painter, false);
+    const auto half = levels_of<std::uint64_t>(*painter, false, 16.0);
+    for (std::size_t face = 0; face < 6; ++face) {
+        const Vec3 wanted = mean_of(floats->faces[face]);
+        for (std::size_t level = 0; level < half[face].size(); ++level) {
+            CAPTURE(face);
+            CAPTURE(level);
+            CHECK(worst_relative(mean_of(half[face][level]) / 16.0, wanted) < kHalf);
+            CHECK(worst_relative(mean_of(small[face][level]), wanted) < kSmall);
+        }
+    }
+}
+
+TEST_CASE(
+    "half_levels: every level of an image of odd sides has its light, weighted by alpha, and 1 is for opaque pixels "
+    "alone") {
+    constexpr double kHalf = 5e-4;
+    Image<float> image(65, 37, 4);
+    double light = 0.0, cover = 0.0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            float* pixel = image.at(x, y);
+            pixel[0] = pixel[1] = pixel[2] = x == 64 ? 30.0f : 0.1f;
+            pixel[3] = x % 3 == 0 ? 0.25f : 0.9999f;
+            light += pixel[0] * pixel[3], cover += pixel[3];
+        }
+    const double pixels = 65.0 * 37.0;
+    for (const HalfLevel& level : half_levels(image)) {
+        Vec3 sum;
+        for (std::size_t i = 0; i < level.rgba.size(); i += 4) {
+            const double alpha = unpacked(std::uint64_t{level.rgba[i + 3]}, 10);
+            sum = sum + Vec3{unpacked(std::uint64_t{level.rgba[i]}, 10) * alpha, alpha, 0};
+            CHECK(level.rgba[i + 3] < 0x3c00);
+        }
+        const double count = static_cast<double>(level.rgba.size()) / 4.0;
+        CAPTURE(level.width);
+        // What is rounded is light and alpha.
+        CHECK(std::fabs(sum.x / count / (light / pixels) - 1.0) < 2 * kHalf);
+        CHECK(std::fabs(sum.y / count / (cover / pixels) - 1.0) < kHalf);
+    }
 }
 
 TEST_CASE("a face with a border goes on into its neighbours, and its own texels stay") {
@@ -118,7 +197,7 @@ TEST_CASE("a face with a border goes on into its neighbours, and its own texels 
     REQUIRE(wide);
     CHECK((bordered_size(kFace) >> (sky_levels(kFace, true) - 1)) ==
           17);  // 16 texels of the face and half a texel on each side
-    const auto faces = levels_of(*plain, false), bordered = levels_of(*wide, true);
+    const auto faces = levels_of<std::uint32_t>(*plain, false), bordered = levels_of<std::uint32_t>(*wide, true);
     for (std::size_t face = 0; face < 6; ++face)
         for (int y = 0; y < kFace; ++y) {
             const auto from = bordered[face][0].begin() + (y + kBorder) * kWide + kBorder;
