@@ -20,6 +20,7 @@ vec3 black_body(float log2_hue, float log2_glow, float scale) {
     vec4 h1 = black_body_fetch(i + 1);
     vec3 colour = h0.xyz + (hue - float(i)) * (h1.xyz - h0.xyz);
     colour = mix(vec3(1.0), colour, 1.0 / (1.0 - min(min(colour.x, colour.y), min(colour.z, 0.0))));   // into Rec. 709's gamut
+    colour = max(colour, vec3(0.0));   // which rounding leaves
 #ifdef EFFECT_BOLOMETRIC
     float all_wavelengths = 4.0 * log2_glow;
     float luminance = all_wavelengths;
