@@ -1,5 +1,9 @@
 // libjpeg leaves by longjmp: no function that calls setjmp here has an object with a destructor.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 // jpeglib.h needs FILE and size_t first, jerror.h (the codes of its warnings) jpeglib.h.
 #include <jpeglib.h>
 
@@ -22,6 +26,23 @@ namespace {
 // Each costs as much time as the whole picture, and takes a dozen bytes to ask for. (An encoder makes one a component,
 // or about ten where the picture comes in progressively.)
 constexpr int kMostScans = 256;
+
+// A number of Google's photo sphere schema in XMP: GPano:key="12" or <GPano:key>12<. 0: it is not there.
+int sphere_number(std::string_view xmp, const std::string& key) {
+    const std::size_t at = xmp.find("GPano:" + key);
+    if (at == std::string_view::npos) return 0;
+    const std::string rest(xmp.substr(at + 6 + key.size(), 16));
+    return std::atoi(rest.c_str() + std::min(rest.find_first_of("0123456789"), rest.size()));
+}
+
+// Of a picture that is a part of a panorama; empty: it is none.
+std::string part_words(std::string_view xmp) {
+    const int width = sphere_number(xmp, "FullPanoWidthPixels"), height = sphere_number(xmp, "FullPanoHeightPixels"),
+              across = sphere_number(xmp, "CroppedAreaImageWidthPixels"),
+              down = sphere_number(xmp, "CroppedAreaImageHeightPixels");
+    if (width <= 0 || height <= 0 || (across == width && down == height)) return "";
+    return fmt::format("GPano: {}x{} px of a panorama of {}x{} px; taken for the whole", across, down, width, height);
+}
 
 class JpegRows : public RowReader {
 public:
@@ -110,11 +131,14 @@ private:
     }
     void read_markers() {
         constexpr std::string_view kExif("Exif\0\0", 6), kProfile("ICC_PROFILE\0", 12);
+        constexpr std::string_view kXmp("http://ns.adobe.com/xap/1.0/\0", 29);
         std::string profile;  // in pieces of 64 KB
         for (const jpeg_marker_struct* marker = jpeg_.marker_list; marker != nullptr; marker = marker->next) {
             const std::string_view data(reinterpret_cast<const char*>(marker->data), marker->data_length);
             if (data.starts_with(kExif)) orientation = exif_orientation(data.substr(kExif.size()));
             if (data.starts_with(kProfile)) profile += data.substr(kProfile.size());
+            if (const std::string part = data.starts_with(kXmp) ? part_words(data) : ""; !part.empty())
+                unused.push_back(part);
         }
         if (!profile.empty() && !is_srgb_profile(profile)) unused.emplace_back("colour profile (ICC): read as sRGB");
     }

@@ -23,7 +23,9 @@ SkyAsked sky_asked(const Scene& scene, const EffectSet& effects) {
 }
 
 SkyFaces sky_faces(const SkyAsked& asked, int max_cube_size) {
-    constexpr double kLeast = 256, kUsual = kUsualSkyFace, kImageMost = 4096;  // px
+    constexpr double kLeast = 256, kUsual = kUsualSkyFace;  // px
+    constexpr double kImageMost =
+        sizeof(void*) > 4 ? 4096 : kUsual;  // 1 GB: more than a page's 32 bits of memory are for
     // So that texels show stripes of a pixel.
     constexpr double kTexelsAPixel = 1.5;
     std::vector<const SkySpec*> skies;

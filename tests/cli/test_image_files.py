@@ -189,6 +189,13 @@ class ImageFiles(support.CliTest):
         self.write("p3.jpg", plain[:2] + b"\xff\xe2" + struct.pack(">H", len(profile) + 2) + profile + plain[2:])
         self.drawn("p3.jpg", size="8x4")
         self.assertIn("colour profile", self.notes)
+        for across, said in ((4000, False), (2000, True)):
+            words = "".join(f'GPano:{key}="{n}" ' for key, n in (("FullPanoWidthPixels", 4000), ("FullPanoHeightPixels", 2000),
+                                                                   ("CroppedAreaImageWidthPixels", across), ("CroppedAreaImageHeightPixels", 2000)))
+            body = b"http://ns.adobe.com/xap/1.0/\0" + words.encode()
+            self.write("part.jpg", plain[:2] + b"\xff\xe1" + struct.pack(">H", len(body) + 2) + body + plain[2:])
+            self.drawn("part.jpg", size="8x4")
+            self.assertEqual("2000x2000 px of a panorama of 4000x2000 px" in self.notes, said, self.notes)
 
     def test_header_of_a_radiance_picture(self):
         pixel = lambda x, y: (128, 128, 128, 129)

@@ -22,6 +22,7 @@ export function glFunctions(gl, module) {
   const texels = (type, place) => {
     if (place === 0) return null;
     if (type === gl.FLOAT) return new Float32Array(memory(), place);
+    if (type === gl.HALF_FLOAT) return new Uint16Array(memory(), place);
     if (type === gl.UNSIGNED_BYTE) return new Uint8Array(memory(), place);
     return new Uint32Array(memory(), place);
   };
