@@ -1,5 +1,6 @@
 // OpenEXR files as they come: what is checked before the package sees them. For the other exr_ files.
 #pragma once
+#include <ImfForward.h>
 #include <ImfIO.h>
 
 #include <cstddef>
@@ -9,8 +10,6 @@
 
 #include "base/result.h"
 #include "image/image.h"
-
-namespace Imf = OPENEXR_IMF_NAMESPACE;
 
 namespace nullscope {
 

@@ -128,7 +128,7 @@ std::vector<std::string> unused_of(const Imf::MultiPartInputFile& file, const Ex
     if (header.pixelAspectRatio() != 1.0f)
         unused.push_back(fmt::format("pixelAspectRatio {}", header.pixelAspectRatio()));
     if (Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE) unused.emplace_back("envmap cube");
-    const Imath::Box2i data = header.dataWindow(), shown = header.displayWindow();
+    const Imath::Box2i &data = header.dataWindow(), &shown = header.displayWindow();
     if (data.min.x < shown.min.x || data.min.y < shown.min.y || data.max.x > shown.max.x || data.max.y > shown.max.y)
         unused.emplace_back("pixels outside of its display window");
     return unused;

@@ -15,7 +15,8 @@ inline std::uint32_t small_float(float value, float most) {
     const float positive = value > 0.0f ? value : 0.0f;                        // NaN too
     const float within = positive < most ? positive : most;
     const auto bits = std::bit_cast<std::int32_t>(within);
-    const auto fine = static_cast<std::int32_t>((bits < kLeast ? within : 0.0f) * kSteps + 0.5f);
+    const auto fine =
+        static_cast<std::int32_t>((bits < kLeast ? within : 0.0f) * kSteps + 0.5f);  // NOLINT: below 2^10, above 0
     const std::int32_t rounded = bits - kRebias + (1 << (kCut - 1)) - 1 + (bits >> kCut & 1);
     return static_cast<std::uint32_t>(bits >= kLeast ? rounded >> kCut : fine);
 }
