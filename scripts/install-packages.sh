@@ -6,7 +6,7 @@ set -euo pipefail
 
 build=(g++ cmake ninja-build pkg-config python3 python3-glad libfast-float-dev libglfw3-dev libglm-dev libimgui-dev libegl-dev
        libgl-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev libboost-dev libopenexr-dev
-       libpng-dev libjpeg-dev libcfitsio-dev libfreetype-dev doctest-dev)
+       libpng-dev libjpeg-dev libcfitsio-dev libfreetype-dev libssl-dev doctest-dev)
 run=(libegl1 libgl1 libgl1-mesa-dri fonts-dejavu-core)
 test=(xvfb xauth xdotool)
 # scripts/release.sh: packages

@@ -17,6 +17,7 @@ PACKAGES = [
     ("libjpeg", re.compile(r"^j(peg|pegl|error|config|morecfg)\w*\.h$"), {"image"}),
     ("OpenEXR", re.compile(r"^(OpenEXR|Imath)/|^(Imf|Iex|IlmThread|Imath|half)\w*\.h$"), {"image"}),
     ("CFITSIO", re.compile(r"^(cfitsio/)?(fitsio2?|longnam)\.h$"), {"image"}),
+    ("libcrypto", re.compile(r"^openssl/"), {"base/sha256.cpp"}),
     ("Dear ImGui", re.compile(r"^(imgui/)?(backends/)?imgui\w*\.h$"), {"viewer"}),
     ("GLFW", re.compile(r"^GLFW/"), {"viewer", "context/glfw.cpp"}),
     ("toml++", re.compile(r"^toml(\+\+|plusplus)?/|^toml\.hpp$|^toml\+\+$"), {"scenefile", "viewer/user_files.cpp"}),
