@@ -18,9 +18,18 @@
 #include "image/half_float.h"
 #include "image/image_file.h"
 #include "image/image_formats.h"
+#include "image/picture_texts.h"
 
 namespace nullscope {
 namespace {
+
+// ffmpeg (5.1) draws black, without a word, what has a longer string attribute than some 490 bytes.
+constexpr std::size_t kLongestAttribute = 240;
+
+void add_texts(const Texts& texts, Imf::Header& header) {
+    for (const auto& [name, text] : in_pieces(texts, kLongestAttribute))
+        header.insert(name, Imf::StringAttribute(text));
+}
 
 // Throws what OpenEXR throws. Of a file with several parts, the first.
 Result<ChannelImage> read_exr(std::string_view bytes, const std::string& name, long long max_pixels) {
@@ -54,6 +63,7 @@ Result<ChannelImage> read_exr(std::string_view bytes, const std::string& name, l
     for (auto it = header.begin(); it != header.end(); ++it)
         if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
             image.attributes[it.name()] = text->value();
+    image.attributes = put_together(std::move(image.attributes));
     Imf::InputPart part(file, 0);
     part.setFrameBuffer(buffer);
     part.readPixels(window.min.y, window.max.y);
@@ -71,7 +81,7 @@ std::string encode_exr(const ChannelImage& image) {
         buffer.insert(
             name, Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * static_cast<std::size_t>(image.width)));
     }
-    for (const auto& [name, text] : image.attributes) header.insert(name, Imf::StringAttribute(text));
+    add_texts(image.attributes, header);
     Imf::StdOSStream stream;
     {
         Imf::OutputFile file(stream, header);
@@ -135,7 +145,7 @@ Status write_bands(std::ostream& to, const BandedImage& image,
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* name : {"R", "G", "B"})
         header.channels().insert(name, Imf::Channel(image.half ? Imf::HALF : Imf::FLOAT));
-    for (const auto& [name, text] : image.attributes) header.insert(name, Imf::StringAttribute(text));
+    add_texts(image.attributes, header);
     FileStream stream(to, "");
     Imf::OutputFile file(stream, header);
     for (int y = 0; y < image.height;) {

@@ -14,6 +14,7 @@
 
 #include "base/text.h"
 #include "image/image_formats.h"
+#include "image/picture_texts.h"
 
 namespace nullscope {
 namespace {
@@ -111,8 +112,8 @@ bool value_holds(std::string_view type, std::string_view value) {
     return type != "idmanifest";  // of deep pictures: not read here, and it announces an unpacked size of its own
 }
 
-// One header. nullopt: cut off. An empty name is the first thing: no header.
-std::optional<bool> header_is_there(Bytes& bytes, std::string& fault) {
+// One header; its strings are added to texts. nullopt: cut off. An empty name is the first thing: no header.
+std::optional<bool> header_is_there(Bytes& bytes, std::string& fault, Texts* texts = nullptr) {
     for (bool first = true;; first = false) {
         const auto name = bytes.word();
         if (!name) return std::nullopt;
@@ -123,6 +124,7 @@ std::optional<bool> header_is_there(Bytes& bytes, std::string& fault) {
         if (!value) return std::nullopt;
         if (!value_holds(*type, *value)) fault = without_controls(fmt::format("attribute {} is no {}", *name, *type));
         if (!fault.empty()) return false;
+        if (texts != nullptr && *type == "string") (*texts)[std::string(*name)] = std::string(*value);
     }
 }
 
@@ -143,6 +145,18 @@ Status check_exr(std::string_view file) {
     }
     if (!fault.empty()) return bad_input(fault);
     return Done{};
+}
+
+Result<Texts> exr_header_texts(std::string_view header) {
+    Bytes bytes(header);
+    bytes.take(kMagic.size());
+    Texts texts;
+    std::string fault;
+    const bool versioned = bytes.number().has_value();
+    const auto there = header_is_there(bytes, fault, &texts);
+    if (!versioned || !there) return bad_input("its header is cut off or damaged");
+    if (!fault.empty()) return bad_input(fault);
+    return texts;
 }
 
 void MemoryStream::seekg(std::uint64_t at) { at_ = at; }

@@ -14,11 +14,12 @@
 
 #include "base/atomic_file.h"
 #include "image/image_file.h"
+#include "image/picture_texts.h"
 
 namespace nullscope {
 namespace {
 
-constexpr std::size_t kBlock = 2880;  // bytes; a file is blocks
+constexpr std::size_t kBlock = 2880, kCard = 80;  // bytes; a file is blocks, a header is cards
 
 std::string ascii(std::string_view text) {
     std::string plain;
@@ -87,7 +88,8 @@ void write_card(MemoryFile& to, const FitsCard& card) {
         fits_write_key_longstr(to.file(), key, ascii(std::get<std::string>(card.value)).c_str(), words, to.status());
 }
 
-void write_header(MemoryFile& to, const Image<float>& image, const FitsHeader& header) {
+void write_header(MemoryFile& to, const Image<float>& image, const FitsHeader& header,
+                  const std::vector<std::string>& history) {
     std::array<long, 3> sides = {image.width, image.height, image.channels};
     fits_create_img(to.file(), FLOAT_IMG, image.channels == 1 ? 2 : 3, sides.data(), to.status());
     write_card(to, {"BUNIT", header.unit, header.unit_comment});
@@ -98,6 +100,7 @@ void write_header(MemoryFile& to, const Image<float>& image, const FitsHeader& h
     for (const FitsCard& card : header.cards) write_card(to, card);
     for (const std::string& comment : header.comments)
         fits_write_comment(to.file(), ascii(comment).c_str(), to.status());
+    for (const std::string& card : history) fits_write_history(to.file(), card.c_str(), to.status());
 }
 
 void write_planes(MemoryFile& to, const Image<float>& image) {
@@ -126,8 +129,10 @@ Status save_fits(const std::filesystem::path& path, const Image<float>& image, c
     for (const FitsCard& card : header.cards)
         if (!is_standard(card)) return invalid(fmt::format("'{}' is no keyword with a value", card.keyword));
     constexpr std::size_t kUsualHeader = 4 * kBlock;
-    MemoryFile file(kUsualHeader + values * sizeof(float) + kBlock);
-    write_header(file, image, header);
+    const std::vector<std::string> history = history_cards(header.texts);
+    const std::size_t bytes_wanted = kUsualHeader + kCard * history.size() + values * sizeof(float) + kBlock;
+    MemoryFile file((bytes_wanted / kBlock + 1) * kBlock);
+    write_header(file, image, header, history);
     write_planes(file, image);
     const std::string_view bytes = file.finish();
     if (*file.status() != 0) return invalid("CFITSIO: " + file.reason());

@@ -28,13 +28,13 @@ Status save_png(const std::filesystem::path& path, const Image<unsigned char>& i
                 const std::map<std::string, std::string>& texts = {});
 
 // 3 channels of 8 bits, already display-encoded; colours at full resolution (4:4:4). quality: libjpeg's, 1 to 100; at 92 stars and
-// thin rings keep their edges. comment: at most 65533 bytes.
+// thin rings keep their edges. comment: at most 65533 bytes. texts: what the file says of itself (image/picture_texts.h), as further comments.
 inline constexpr int kJpegQuality = 92;
 Status save_jpeg(const std::filesystem::path& path, const Image<unsigned char>& image, const std::string& comment = {},
-                 int quality = kJpegQuality);
+                 int quality = kJpegQuality, const std::map<std::string, std::string>& texts = {});
 
 // A set of named float channels of one size ("R", "G", "B", "sky.x", ...) and string attributes; ZIP-compressed, which
-// every reader knows.
+// every reader knows. A file has long attributes in pieces (image/picture_texts.h).
 struct ChannelImage {
     int width = 0;
     int height = 0;
@@ -68,7 +68,8 @@ struct FitsHeader {
     std::string unit{};          // BUNIT: "Jy/pixel"; empty: a number without a unit
     std::string unit_comment{};  // what the numbers are
     std::vector<FitsCard> cards{};
-    std::vector<std::string> comments{};  // lines of at most 72 characters
+    std::vector<std::string> comments{};         // lines of at most 72 characters
+    std::map<std::string, std::string> texts{};  // what the file says of itself: HISTORY cards (image/picture_texts.h)
 };
 // Floats of 32 bits, bottom row first, as FITS has them: red, green and blue as three planes, or one channel as one plane. The file has no
 // date: the same picture is the same file. Holds it twice more in memory. Errors: other numbers of channels, other

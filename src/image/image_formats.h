@@ -46,8 +46,9 @@ Result<std::unique_ptr<RowReader>> open_jpeg_rows(ByteSource source);
 // bytes. Errors: as libpng says, no memory. texts: by keyword, UTF-8 (iTXt chunks before the pixels).
 Result<std::string> encode_png(const Image<unsigned char>& image, const std::map<std::string, std::string>& texts = {});
 
-// 3 channels of 8 bits, 1 to 65500 px a side. Errors: as libjpeg says.
-Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::string& comment, int quality);
+// 3 channels of 8 bits, 1 to 65500 px a side. comments: of at most 65533 bytes each. Errors: as libjpeg says.
+Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::vector<std::string>& comments,
+                                int quality);
 
 // Radiance RGBE (.hdr).
 bool is_hdr(std::string_view bytes);

@@ -7,6 +7,7 @@
 #include <array>
 #include <csetjmp>
 #include <string>
+#include <vector>
 
 #include "image/image_formats.h"
 
@@ -32,7 +33,7 @@ public:
     JpegEncoder(const JpegEncoder&) = delete;
     JpegEncoder& operator=(const JpegEncoder&) = delete;
 
-    bool encode(const Image<unsigned char>& image, const std::string& comment, int quality) {
+    bool encode(const Image<unsigned char>& image, const std::vector<std::string>& comments, int quality) {
         if (setjmp(jump_) != 0) return false;  // NOLINT
         jpeg_create_compress(&jpeg_);
         jpeg_.client_data = this;
@@ -46,7 +47,7 @@ public:
         jpeg_.comp_info[0].h_samp_factor = jpeg_.comp_info[0].v_samp_factor = 1;  // colours at full resolution
         jpeg_.optimize_coding = TRUE;
         jpeg_start_compress(&jpeg_, TRUE);
-        if (!comment.empty())
+        for (const std::string& comment : comments)
             jpeg_write_marker(&jpeg_, JPEG_COM, reinterpret_cast<const JOCTET*>(comment.data()),
                               static_cast<unsigned>(comment.size()));
         while (jpeg_.next_scanline < jpeg_.image_height) {
@@ -71,9 +72,10 @@ private:
 
 }  // namespace
 
-Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::string& comment, int quality) {
+Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::vector<std::string>& comments,
+                                int quality) {
     JpegEncoder encoder;
-    if (!encoder.encode(image, comment, quality)) return failed(encoder.error());
+    if (!encoder.encode(image, comments, quality)) return failed(encoder.error());
     return encoder.bytes();
 }
 

@@ -15,6 +15,7 @@
 #include "image/image_file.h"
 #include "image/image_formats.h"
 #include "image/orientation.h"
+#include "image/picture_texts.h"
 
 namespace nullscope {
 namespace {
@@ -166,6 +167,62 @@ private:
     float power_ = 0.0f;  // of codes, for linear light; 0: sRGB
 };
 
+// Reads nothing but texts: of a file that has them between a header and pixels that never come.
+class PngTexts {
+public:
+    explicit PngTexts(std::string_view chunks) : bytes_(kHead) {
+        bytes_.append(chunks).append(kPixels);
+        png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, on_error, [](png_structp, png_const_charp) {});
+        info_ = png_ != nullptr ? png_create_info_struct(png_) : nullptr;
+    }
+    ~PngTexts() { png_destroy_read_struct(&png_, &info_, nullptr); }
+    PngTexts(const PngTexts&) = delete;
+    PngTexts& operator=(const PngTexts&) = delete;
+
+    bool read() {
+        if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT
+        png_set_read_fn(png_, this, on_read);
+        png_set_chunk_malloc_max(png_, kMostText);
+        png_set_chunk_cache_max(png_, kMostTexts);
+        png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+        png_read_info(png_, info_);
+        return true;
+    }
+    Texts texts() const {
+        Texts texts;
+        png_textp first = nullptr;
+        const int count = png_get_text(png_, info_, &first, nullptr);
+        for (int i = 0; i < count; ++i)
+            if (first[i].key != nullptr && first[i].text != nullptr) texts[first[i].key] = first[i].text;
+        return texts;
+    }
+    const std::string& error() const { return error_; }
+
+private:
+    using View = std::string_view;
+    static constexpr View kHead =
+        View("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\0\x01\0\0\0\x01\x08\x02\0\0\0\x90\x77\x53\xde", 33);
+    static constexpr View kPixels = View("\0\0\0\0IDAT", 8);
+    static constexpr png_uint_32 kMostTexts = 100;
+    static constexpr png_alloc_size_t kMostText = 2u << 20;  // bytes of one, unpacked
+
+    [[noreturn]] static void on_error(png_structp png, png_const_charp words) {
+        static_cast<PngTexts*>(png_get_error_ptr(png))->error_ = words;
+        longjmp(png_jmpbuf(png), 1);  // NOLINT
+    }
+    static void on_read(png_structp png, png_bytep to, png_size_t size) {
+        auto& self = *static_cast<PngTexts*>(png_get_io_ptr(png));
+        if (size > self.bytes_.size() - self.at_) png_error(png, "cut off");
+        self.bytes_.copy(reinterpret_cast<char*>(to), size, self.at_);
+        self.at_ += size;
+    }
+
+    png_structp png_ = nullptr;
+    png_infop info_ = nullptr;
+    std::string bytes_, error_ = "out of memory";
+    std::size_t at_ = 0;
+};
+
 constexpr int kDeflateLevel = 2;  // of 9; the third takes half as long again for 4 % fewer bytes
 
 class PngEncoder {
@@ -233,6 +290,12 @@ Result<std::unique_ptr<RowReader>> open_png_rows(ByteSource source) {
     auto rows = std::make_unique<PngRows>(std::move(source));
     TRY(opened, rows->open());
     return std::unique_ptr<RowReader>(std::move(rows));
+}
+
+Result<Texts> png_chunk_texts(std::string_view chunks) {
+    PngTexts png(chunks);
+    if (!png.read()) return bad_input(png.error());
+    return png.texts();
 }
 
 Result<std::string> encode_png(const Image<unsigned char>& image, const std::map<std::string, std::string>& texts) {
