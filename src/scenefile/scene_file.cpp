@@ -71,7 +71,7 @@ std::optional<SceneKey> parameter_key(std::string_view section, std::string_view
 
 class SceneReader {
 public:
-    SceneReader(std::string label, fs::path base) : label_(std::move(label)), base_(std::move(base)) {}
+    SceneReader(std::string label, SceneFolders folders) : label_(std::move(label)), folders_(std::move(folders)) {}
     Result<Scene> read(const toml::table& root);
 
 private:
@@ -87,7 +87,7 @@ private:
     void report(const SceneFault& fault);
 
     std::string label_;
-    fs::path base_;
+    SceneFolders folders_;
     Scene scene_;
     fs::path path_file_;  // of path.file
     // The sections that name a metric, and which: null while the file names none that is known.
@@ -155,7 +155,7 @@ void SceneReader::read_key(std::string_view section, const toml::key& name, cons
     if (word != name.str() && given_(full))
         return report(line_of(name), full, "given twice, here by its old name", "once");
     lines_[full] = line_of(name);
-    const Result<KeyValue> value = check_value(*key, node, base_);
+    const Result<KeyValue> value = check_value(*key, node, folders_);
     if (!value)
         report(line_of(name), full, value.error().what, allowed_text(*key));
     else if (full == "path.file")
@@ -319,9 +319,13 @@ Result<Scene> SceneReader::read(const toml::table& root) {
 
 }  // namespace
 
-Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_label, const fs::path& base_directory) {
+Result<Scene> parse_scene_in(const SceneFolders& folders, std::string_view toml_text, const std::string& file_label) {
     TRY(root, toml_of(toml_text, file_label));
-    return SceneReader(file_label, base_directory).read(*root);
+    return SceneReader(file_label, folders).read(*root);
+}
+
+Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_label, const fs::path& base_directory) {
+    return parse_scene_in({base_directory}, toml_text, file_label);
 }
 
 bool is_scene_line(std::string_view text) { return text.starts_with("scene = {"); }
@@ -330,7 +334,7 @@ Result<Scene> scene_of_line(std::string_view line) {
     TRY(root, toml_of(line.substr(0, line.find('\n')), "scene"));
     const toml::table* scene = root->get_as<toml::table>("scene");
     if (scene == nullptr || root->size() != 1) return bad_input("no scene", "scene = { camera = { r = 15 }, ... }");
-    return SceneReader("scene", {}).read(*scene);
+    return SceneReader("scene", {{}}).read(*scene);
 }
 
 }  // namespace nullscope

@@ -6,6 +6,8 @@
 #include "base/assets.h"
 #include "base/atomic_file.h"
 #include "base/text.h"
+#include "image/picture_texts.h"
+#include "scenefile/picture_scene.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_value.h"
 #include "scenefile/toml_text.h"
@@ -46,6 +48,13 @@ std::vector<std::pair<std::string, std::vector<std::string>>> gallery_groups() {
     return groups;
 }
 
+fs::path scene_path(const std::string& file_or_name) {
+    std::error_code error;
+    const fs::path shipped = scenes_directory() / (file_or_name + ".toml");
+    const bool is_name = !fs::is_regular_file(file_or_name, error) && file_or_name.find('/') == std::string::npos;
+    return is_name && fs::is_regular_file(shipped, error) ? shipped : fs::path(file_or_name);
+}
+
 Error no_such_scene(const std::string& name) {
     std::vector<std::string> names;
     for (const fs::path& file : scene_files()) names.push_back(file.stem().string());
@@ -57,22 +66,30 @@ Error no_such_scene(const std::string& name) {
 
 }  // namespace
 
-Result<Scene> load_scene(const std::string& file_or_name) {
+SceneFolders scene_folders(const std::string& file_or_name) {
+    return {scene_path(file_or_name).parent_path(), scenes_directory()};
+}
+
+Result<OpenedScene> open_scene(const std::string& file_or_name, const Note& note) {
     std::error_code error;
-    fs::path path = file_or_name;
-    if (!fs::is_regular_file(path, error) && file_or_name.find('/') == std::string::npos) {
-        const fs::path shipped = scenes_directory() / (file_or_name + ".toml");
-        if (fs::is_regular_file(shipped, error)) path = shipped;
-    }
+    const fs::path path = scene_path(file_or_name);
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) return no_such_scene(file_or_name);
     if (!fs::is_regular_file(status)) {
         const char* what = fs::is_directory(status) ? "a folder" : "not a regular file";
         return bad_input(without_controls(fmt::format("{}: {}, not a scene file", in_quotes(file_or_name), what)));
     }
+    if (is_picture_file(path)) return open_picture(path.string(), note);
     const Result<std::string> text = read_text(path, kLargestSceneFile);
     if (!text) return bad_input(without_controls(text.error().message()));
-    return parse_scene(*text, path.string(), path.parent_path());
+    SceneFolders folders = scene_folders(file_or_name);
+    TRY(scene, parse_scene_in(folders, *text, path.string()));
+    return OpenedScene{std::move(*scene), std::move(folders)};
+}
+
+Result<Scene> load_scene(const std::string& file_or_name, const Note& note) {
+    TRY(opened, open_scene(file_or_name, note));
+    return std::move(opened->scene);
 }
 
 std::vector<SceneInfo> shipped_scenes() {

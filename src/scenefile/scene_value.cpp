@@ -36,7 +36,21 @@ std::optional<double> finite_number(const toml::node& node) {
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+// "1.0471975511965976 rad", as pictures write an angle that no number of degrees gives exactly.
+std::optional<double> radians_of(const toml::node& node) {
+    constexpr std::string_view kUnit = " rad";
+    const toml::value<std::string>* text = node.as_string();
+    if (text == nullptr || !text->get().ends_with(kUnit)) return std::nullopt;
+    return parse_number(std::string_view(text->get()).substr(0, text->get().size() - kUnit.size()));
+}
+
 Checked check_number(const SceneKey& key, const toml::node& node) {
+    if (const auto radians = key.unit == "deg" ? radians_of(node) : std::nullopt) {
+        if (!std::isfinite(*radians)) return bad_input("must be finite");
+        if (!key.range.contains(*radians * 180.0 / std::numbers::pi))
+            return bad_input(fmt::format("{} rad is out of range", *radians));
+        return KeyValue{.number = *radians};
+    }
     if (!node.is_number()) return bad_input(fmt::format("must be a number, not {}", type_name(node)));
     const std::optional<double> number = finite_number(node);
     if (!number) return bad_input("must be finite");
@@ -91,7 +105,7 @@ Checked check_size(const SceneKey& key, const toml::node& node) {
     return KeyValue{.width = size[0], .height = size[1]};
 }
 
-Checked check_text(const SceneKey& key, const std::string& text, const fs::path& base) {
+Checked check_text(const SceneKey& key, const std::string& text, const SceneFolders& folders) {
     KeyValue value;
     value.text = text;
     if (text != without_controls(text)) return bad_input("control characters are not allowed");
@@ -101,10 +115,12 @@ Checked check_text(const SceneKey& key, const std::string& text, const fs::path&
         if (const auto formula = expr::Formula::parse(text, split(key.choices, ' ')); !formula)
             return bad_input(formula.error().what);
     } else if (key.type == KeyType::kImage) {
-        value.path = base / fs::path(text);
-        std::error_code error;
-        if (!fs::is_regular_file(value.path, error))
-            return bad_input(fmt::format("there is no file {}", in_quotes(text)));
+        const auto there = std::ranges::find_if(folders, [&](const fs::path& folder) {
+            std::error_code error;
+            return fs::is_regular_file(folder / text, error);
+        });
+        if (there == folders.end()) return bad_input(fmt::format("there is no file {}", in_quotes(text)));
+        value.path = *there / text;
     } else {
         std::vector<std::string> words = split(key.choices, ' ');
         if (key.type == KeyType::kMetric) {
@@ -123,7 +139,7 @@ Checked check_text(const SceneKey& key, const std::string& text, const fs::path&
 
 }  // namespace
 
-Result<KeyValue> check_value(const SceneKey& key, const toml::node& node, const fs::path& base) {
+Result<KeyValue> check_value(const SceneKey& key, const toml::node& node, const SceneFolders& folders) {
     switch (key.type) {
         case KeyType::kNumber: return check_number(key, node);
         case KeyType::kVelocity:
@@ -135,7 +151,7 @@ Result<KeyValue> check_value(const SceneKey& key, const toml::node& node, const 
     }
     const toml::value<std::string>* text = node.as_string();
     if (text == nullptr) return bad_input(fmt::format("must be a string, not {}", type_name(node)));
-    return check_text(key, text->get(), base);
+    return check_text(key, text->get(), folders);
 }
 
 }  // namespace nullscope

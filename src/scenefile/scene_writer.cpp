@@ -51,9 +51,19 @@ std::optional<std::string> shortest(double value, double guess, Read read) {
     return std::nullopt;
 }
 
-// A pinhole's: if a number of degrees gives it.
-std::optional<std::string> fov_text(const CameraSpec& camera) {
-    if (camera.projection != Projection::kPinhole) return degrees_text(camera.plane_width);
+std::optional<std::string> exact_degrees(double radians) {
+    return shortest(radians, radians * 180.0 / std::numbers::pi, [](double d) { return d * std::numbers::pi / 180.0; });
+}
+
+std::string exact_angle_text(double radians) {
+    const auto degrees = exact_degrees(radians);
+    return degrees ? *degrees : toml_string(fmt::format("{} rad", radians));
+}
+
+// A pinhole's: if a number of degrees gives it. exact: else that number may be off by a rounding.
+std::optional<std::string> fov_text(const CameraSpec& camera, bool exact) {
+    if (camera.projection != Projection::kPinhole)
+        return exact ? exact_angle_text(camera.plane_width) : degrees_text(camera.plane_width);
     return shortest(camera.plane_width, 2.0 * std::atan(0.5 * camera.plane_width) * 180.0 / std::numbers::pi,
                     [](double d) { return 2.0 * std::tan(0.5 * (d * std::numbers::pi / 180.0)); });
 }
@@ -65,16 +75,28 @@ std::string path_text(const fs::path& path, const fs::path& base) {
                                                                   : fs::absolute(path).string());
 }
 
-std::string value_text(const SceneKey& key, const KeyValue& value, const fs::path& base) {
+// How a text is written, for whom.
+struct Written {
+    fs::path base{};
+    const SceneFolders* folders = nullptr;  // of a picture
+    std::string path(const fs::path& path) const {
+        return folders != nullptr ? toml_string(path_in(*folders, path)) : path_text(path, base);
+    }
+    std::string angle(double radians) const {
+        return folders != nullptr ? exact_angle_text(radians) : degrees_text(radians);
+    }
+};
+
+std::string value_text(const SceneKey& key, const KeyValue& value, const Written& as) {
     switch (key.type) {
-        case KeyType::kNumber: return key.unit == "deg" ? degrees_text(value.number) : fmt::format("{}", value.number);
+        case KeyType::kNumber: return key.unit == "deg" ? as.angle(value.number) : fmt::format("{}", value.number);
         case KeyType::kVelocity:
         case KeyType::kPoint:
         case KeyType::kColour: return fmt::format("[{}, {}, {}]", value.vector.x, value.vector.y, value.vector.z);
         case KeyType::kWhole: return fmt::format("{}", value.width);
         case KeyType::kSize: return fmt::format("[{}, {}]", value.width, value.height);
         case KeyType::kChoice: return toml_string(split(key.choices, ' ')[static_cast<std::size_t>(value.choice)]);
-        case KeyType::kImage: return path_text(value.path, base);
+        case KeyType::kImage: return as.path(value.path);
         case KeyType::kText:
         case KeyType::kMetric:
         case KeyType::kFormula: break;
@@ -84,7 +106,7 @@ std::string value_text(const SceneKey& key, const KeyValue& value, const fs::pat
 
 class Writer {
 public:
-    std::string view() const {
+    std::string view() {
         Scene blank;
         if (scene_.camera.zoom) blank.camera.zoom.emplace();
         const auto inside = [&](std::string_view section) {
@@ -100,9 +122,9 @@ public:
         if (scene_.camera.zoom) camera += (camera.empty() ? "" : ", ") + table("zoom", inside("zoom"));
         return table("camera", camera);
     }
-    Writer(const Scene& scene, fs::path base) : scene_(scene), base_(std::move(base)) {
+    Writer(const Scene& scene, Written as) : scene_(scene), as_(std::move(as)) {
         const auto has_fov = [](const CameraSpec& camera) {
-            return camera.focal_distance == 1.0 && fov_text(camera).has_value();
+            return camera.focal_distance == 1.0 && fov_text(camera, false).has_value();
         };
         by_fov_ =
             has_fov(scene.camera) && (!scene.path || std::ranges::all_of(scene.path->keys, has_fov, &PathKey::camera));
@@ -115,9 +137,11 @@ public:
         return text_;
     }
 
+    const std::vector<std::pair<std::string, fs::path>>& files() const { return files_; }
+
 private:
     // Its lines where they differ from what `before` has.
-    std::string lines(std::string_view section, const Scene& holder, const Scene& before, bool words) const {
+    std::string lines(std::string_view section, const Scene& holder, const Scene& before, bool words) {
         std::string lines;
         const bool camera = section == "camera";
         bool by_angle = false;
@@ -125,20 +149,28 @@ private:
             if (key.section != section || (key.meant != nullptr && !key.meant(holder))) continue;
             if (camera && key.key == "fov" && by_fov_ && holder.camera.focal_distance == 1.0 &&
                 (holder.camera.plane_width != before.camera.plane_width || before.camera.focal_distance != 1.0))
-                if (const auto fov = fov_text(holder.camera)) {
+                if (const auto fov = fov_text(holder.camera, as_.folders != nullptr)) {
                     lines += fmt::format("fov = {}\n", *fov), by_angle = true;
                     continue;
                 }
             if (!key.member.readable() || (by_angle && (key.key == "plane_width" || key.key == "focal_distance")))
                 continue;
             const KeyValue value = key.member.get(holder);
-            const std::string text = value_text(key, value, base_);
+            const std::string text = value_text(key, value, as_);
             const bool word = words && key.type == KeyType::kChoice;  // `before` has taken it over
             const bool is_default =
-                word ? text == toml_string(key.fallback) : text == value_text(key, key.member.get(before), base_);
-            if (value.there && (!is_default || key.needed)) lines += fmt::format("{} = {}\n", key.key, text);
+                word ? text == toml_string(key.fallback) : text == value_text(key, key.member.get(before), as_);
+            if (!value.there || (is_default && !key.needed)) continue;
+            lines += fmt::format("{} = {}\n", key.key, text);
+            if (key.type == KeyType::kImage && !value.path.empty()) add_file(value.path);
         }
         return lines;
+    }
+
+    void add_file(const fs::path& file) {
+        if (as_.folders != nullptr &&
+            std::ranges::find(files_, file, &std::pair<std::string, fs::path>::second) == files_.end())
+            files_.emplace_back(path_in(*as_.folders, file), file);
     }
 
     // All that are given: those that have their default's value say so.
@@ -196,7 +228,8 @@ private:
     }
 
     const Scene& scene_;
-    fs::path base_;
+    Written as_;
+    std::vector<std::pair<std::string, fs::path>> files_;
     bool by_fov_ = true;  // else by plane_width and focal_distance, throughout: a file may not have both
     std::string text_;
 };
@@ -244,12 +277,26 @@ std::string degrees_text(double radians) {
 }
 
 std::string field_of_view_text(const CameraSpec& camera) {
-    const auto exact = fov_text(camera);
+    const auto exact = fov_text(camera, false);
     return exact ? *exact : degrees_text(field_of_view(camera));
 }
 
 std::string scene_file_text(const Scene& scene, const fs::path& base_directory) {
-    return Writer(scene, base_directory).text();
+    return Writer(scene, {base_directory}).text();
+}
+
+WrittenScene written_scene(const Scene& scene, const SceneFolders& folders) {
+    Writer writer(scene, {{}, &folders});
+    std::string text = writer.text();
+    return {std::move(text), writer.files()};
+}
+
+std::string path_in(const SceneFolders& folders, const fs::path& path) {
+    std::string whole = path.string();
+    for (const fs::path& folder : folders)
+        if (const std::string start = folder.string() + '/'; !folder.empty() && whole.starts_with(start))
+            return whole.substr(start.size());
+    return whole;
 }
 
 std::string scene_line(const Scene& scene) {

@@ -3,14 +3,25 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scene/scene.h"
+#include "scenefile/scene_folders.h"
 
 namespace nullscope {
 
 // base_directory: of the file that will hold it; images within it are written relative to it. Numbers have as many digits as it takes to
 // read the same ones; angles that no number of degrees gives exactly are the next one, off by a rounding.
 std::string scene_file_text(const Scene& scene, const std::filesystem::path& base_directory);
+
+// The same as a picture holds it: every number exact, angles that no number of degrees gives as "1.0471975511965976 rad", and paths as path_in() has them.
+struct WrittenScene {
+    std::string text;
+    std::vector<std::pair<std::string, std::filesystem::path>>
+        files;  // that it names: as written, and where they are; each once
+};
+WrittenScene written_scene(const Scene& scene, const SceneFolders& folders);
 
 // The whole scene as one line, "scene = { camera = { r = 15 }, ... }", that scene_of_line() reads (scenefile/scene_file.h). Images are
 // named by their absolute paths.

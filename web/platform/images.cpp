@@ -4,6 +4,8 @@
 
 #include "image/image_file.h"
 #include "image/image_formats.h"
+#include "image/picture_texts.h"
+#include "scenefile/picture_scene.h"
 
 namespace nullscope {
 namespace {
@@ -50,6 +52,11 @@ Result<std::unique_ptr<RowReader>> open_jpeg_rows(ByteSource source) { return op
 
 Result<ExrPicture> load_exr_picture(const std::filesystem::path&, long long, bool) {
     return bad_input("EXR is not read in a page");
+}
+void note_on_terminal(const std::string&) {}
+bool is_picture_file(const std::filesystem::path&) { return false; }
+Result<OpenedScene> open_picture(const std::string&, const Note&) {
+    return bad_input("pictures are not opened in a page");
 }
 
 }  // namespace nullscope
