@@ -9,6 +9,7 @@
 
 #include "annotate/annotations.h"
 #include "observer/picture_scale.h"
+#include "observer/pose.h"
 #include "scene/projection.h"
 #include "spacetime/registry.h"
 
@@ -37,6 +38,21 @@ void add_plane(const Plane& plane, int height, FitsHeader& header) {
     }
 }
 
+// Where the axis theta = 0, along which the hole spins, points to in the picture about the hole, from its top towards its left. Nothing of a camera
+// on the axis, or one that looks away.
+void add_axis(const CameraSpec& camera, const char* from_to, FitsHeader& header) {
+    constexpr double kOnAxis = 1e-9;
+    const Mat3 axes = static_from_camera(camera);
+    const Vec3 hole{-1.0, 0.0, 0.0}, axis{0.0, -1.0, 0.0};  // to the hole, and across that line towards theta = 0
+    const Vec3 ahead = -axes.c;
+    if (std::sin(camera.theta) < kOnAxis || dot(hole, ahead) <= 0.0) return;
+    const auto shift = [&](Vec3 side) {  // of the hole's image, along that axis of the picture
+        return dot(axis, side) * dot(hole, ahead) - dot(hole, side) * dot(axis, ahead);
+    };
+    const double angle = std::fmod(std::atan2(-shift(axes.a), shift(axes.b)) * kDegree + 360.0, 360.0);
+    header.cards.push_back({"SPIN_PA", angle, std::string("[deg] axis theta = 0 (spin), ") + from_to});
+}
+
 // False: the picture shows no object at a known distance by one scale.
 bool add_sky(const Scene& scene, FitsHeader& header) {
     const auto microarcsecond = length_of_microarcsecond(scene.object);
@@ -54,6 +70,7 @@ bool add_sky(const Scene& scene, FitsHeader& header) {
                {-step * kMicroarcsecond_deg, step * kMicroarcsecond_deg}},
               scene.camera.height, header);
     header.cards.push_back({"RADESYS", "ICRS", ""});
+    add_axis(scene.camera, "north to east", header);
     header.cards.push_back({"PIXELUAS", step, "[uas] what a pixel spans"});
     header.comments.emplace_back("Angles are impact parameters over DISTANCE, as from Earth.");
     header.comments.emplace_back("The picture's top is taken as north, its left as east.");
@@ -66,6 +83,7 @@ void add_camera_plane(const CameraSpec& camera, FitsHeader& header) {
     const double step = camera.pixel() * kDegree;
     add_plane({{"CALN-TAN", "CALT-TAN"}, line_of_sight(camera), {0.0, 0.0}, {step * camera.pixel_aspect, step}},
               camera.height, header);
+    add_axis(camera, "up to left", header);
     header.comments.emplace_back("Angles are the camera's own, about its line of sight:");
     header.comments.emplace_back("longitude to the right, latitude upward.");
 }

@@ -198,6 +198,18 @@ TEST_CASE(
     CHECK(coordinates(scene).empty());
 }
 
+TEST_CASE("fits coordinates: the spin axis turns from north to east as the camera rolls") {
+    Scene scene = far_object(ObjectName::kM87);
+    for (const double roll_deg : {0.0, 30.0, 108.0, 359.0}) {
+        scene.camera.roll = roll_deg * M_PI / 180.0;
+        CHECK(coordinates(scene).at("SPIN_PA") == doctest::Approx(roll_deg).epsilon(1e-12));
+    }
+    scene.camera.roll = -0.5 * M_PI;
+    CHECK(coordinates(scene).at("SPIN_PA") == doctest::Approx(270.0));
+    scene.camera.theta = 0.0;
+    CHECK_FALSE(coordinates(scene).contains("SPIN_PA"));
+}
+
 TEST_CASE("fits: the spacetime's parameters have their default or the scene's value, and spin always one") {
     const auto number = [](const Scene& scene, const std::string& keyword) {
         FitsHeader header;
