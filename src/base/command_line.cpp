@@ -197,6 +197,7 @@ Result<Asked> asked_of(const Node& node) {
         if (added->count() == 0) continue;
         if (const auto wrong = value_error(node, *option, *added, added->results())) return *wrong;
         store(*option, added->results());
+        if (node.command->given() != nullptr) node.command->given()->push_back(option->names);
     }
     return Asked{"", node.command->run()};
 }
@@ -214,6 +215,10 @@ Result<Asked> help_of(const Node& root, const Words& words) {
 }
 
 }  // namespace
+
+void copy_value(const Option& from, const Option& to) {
+    std::visit([&](auto* value) { *std::get<decltype(value)>(to.target) = *value; }, from.target);
+}
 
 std::string option_value(const Option& option) {
     if (kind_of(option) == Kind::kFlag) return "";

@@ -79,6 +79,9 @@ public:
     void set_version(std::string text) { version_ = std::move(text); }  // adds --version
     void set_credits(std::string text) { credits_ = std::move(text); }  // adds --credits
 
+    // The names of the options that were given ("-o,--output") are added to it.
+    void note_given(std::vector<std::string>* names) { given_ = names; }
+
     const std::string& name() const { return name_; }
     const std::string& help() const { return help_; }
     const std::string& footer() const { return footer_; }
@@ -87,13 +90,18 @@ public:
     const std::function<Result<int>()>& run() const { return run_; }
     const std::vector<std::unique_ptr<Command>>& commands() const { return commands_; }
     const std::vector<std::unique_ptr<Option>>& options() const { return options_; }
+    std::vector<std::string>* given() const { return given_; }
 
 private:
     std::string name_, help_, footer_, version_, credits_;
     std::function<Result<int>()> run_;
+    std::vector<std::string>* given_ = nullptr;
     std::vector<std::unique_ptr<Command>> commands_;  // a command that has commands needs one of them
     std::vector<std::unique_ptr<Option>> options_;    // pointers: add_* give out references
 };
+
+// Gives an option's target what the other's holds; both are of one kind.
+void copy_value(const Option& from, const Option& to);
 
 // What the words ask for: a text to print (help, version), or the run of the command that was named.
 struct Asked {

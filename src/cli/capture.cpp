@@ -19,6 +19,7 @@
 #include "cli/flux.h"
 #include "cli/frame_store.h"
 #include "cli/picture_file.h"
+#include "cli/recorded_options.h"
 #include "cli/workers.h"
 #include "command/arguments.h"
 #include "command/shot.h"
@@ -28,6 +29,7 @@
 #include "render/picture_bands.h"
 #include "scene/split.h"
 #include "scene/stereo.h"
+#include "scenefile/picture_scene.h"
 #include "scenefile/scene_file.h"
 #include "shaderlib/passes.h"
 #include "version/version.h"
@@ -66,6 +68,8 @@ Status dump_shader(const Scene& scene) {
 struct Job : Shot {
     Frames frames{};
     std::optional<FrameNames> names{};  // of a sequence's files; a film's pictures have a folder of their own
+    SceneFolders folders{}, split_folders{};
+    bool traced_tiles = false;
 };
 
 // Of the frame after this one; nothing after a path's last.
@@ -101,29 +105,50 @@ void say_backwards(const Job& job) {
         }
 }
 
+PictureOrigin origin_of(const Job& job, const CaptureOptions& options, const Exposure& shown, bool with_next,
+                        std::optional<int> frame) {
+    const bool whole = !shown.sub_frames.empty() || with_next;
+    PictureOrigin origin{whole ? job.scene : shown.scene, job.folders, job.split, job.split_folders};
+    origin.frame = frame;
+    const bool disc = job.scene.disc || (job.split && job.split->disc);
+    origin.options = recorded_options(
+        {options, job.method, disc ? std::optional(job.traced_tiles) : std::nullopt, frame, whole, job.time_frame},
+        origin.scene);
+    return origin;
+}
+
 // One picture, or two side by side, into a file. Returns what it was made by, and its flux where that is known.
 Result<std::string> draw(const Job& job, Session* session, const Exposure& shown, const CaptureOptions& options,
                          const std::string& file, std::optional<int> frame) {
-    const Scene &scene = shown.scene, &told = shown.sub_frames.empty() ? scene : job.scene;  // in the file's words
+    const Scene& scene = shown.scene;
+    const std::optional<Scene> next =
+        options.layers && frame ? next_scene(job, options.time_step, *frame) : std::nullopt;
+    const PictureOrigin origin = origin_of(job, options, shown, next.has_value(), frame);
     const bool all_round = scene.camera.stereo == Stereo::kAllRound;
     if (session != nullptr && options.to_exr() && !options.raydata && !options.layers && options.st_map.empty() &&
         !job.split && !scene.split && !all_round && !names_faces(options) &&
         (options.half || is_drawn_in_bands(scene))) {
         TRY(beside, side_by_side_pictures(shown));
-        return capture_large_exr(*session, told, *beside, options, file, frame);
+        return capture_large_exr(*session, origin, *beside, options, file);
     }
-    const std::optional<Scene> next =
-        options.layers && frame ? next_scene(job, options.time_step, *frame) : std::nullopt;
     TRY(captured, draw_shot(job, session, shown, options.drawing(), !options.plain, next ? &*next : nullptr));
-    TRY(written, names_faces(options) ? write_faces(scene, *captured, options)
-                                      : write_picture(file, told, *captured, options, frame));
+    TRY(written, names_faces(options) ? write_faces(origin, *captured, options)
+                                      : write_picture(file, origin, *captured, options));
     const auto flux = flux_unit(scene, job.split || scene.split || scene.camera.stereo != Stereo::kOff);
     return flux && options.to_linear_light() ? captured->made_by + ", " + flux_words(captured->linear, *flux)
                                              : captured->made_by;
 }
 
-Result<Job> job_of(const CaptureOptions& options, Scene scene) {
-    Job job{{std::move(scene)}};
+// The scene beside it: of a file, or of the picture that the first is of.
+Result<OpenedScene> split_of(const CaptureOptions& options, const OpenedScene& opened) {
+    if (!options.split_is_recorded) return open_scene(options.split);
+    TRY(scene, scene_of_words(opened.words, kSplitWord, options.scene, options.listener.note));
+    return OpenedScene{std::move(*scene), opened.folders};
+}
+
+Result<Job> job_of(const CaptureOptions& options, const OpenedScene& opened) {
+    Job job{{opened.scene}};
+    job.folders = opened.folders;
     if (job.scene.path) {
         TRY(made, CameraPath::make(job.scene));
         job.path = std::move(*made);
@@ -137,8 +162,9 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
                          "scenes without it");
     if (options.half && job.scene.split) return bad_input("--half is of one picture; leave out [split] of the scene");
     if (!options.split.empty()) {
-        TRY(other, load_scene(options.split));
-        job.split = std::move(*other);
+        TRY(other, split_of(options, opened));
+        job.split = std::move(other->scene);
+        job.split_folders = std::move(other->folders);
         job.scene.split_labels = {job.scene.split_labels.shown};  // the file's own are of its own [split]
         if (options.samples) job.split->picture.samples = job.scene.picture.samples;
     }
@@ -156,13 +182,15 @@ Result<Job> job_of(const CaptureOptions& options, Scene scene) {
     if (job.path && options.time_frame)
         return bad_input("--time-frame: a path begins in frame 0", "scenes without a [path]");
     if (!job.path) job.time_frame = options.time_frame.value_or(job.frames.first);
-    if (!options.to_film() && (!options.frames.empty() || names_frames(options.output))) {
+    if (!options.to_film() && !options.one_frame && (!options.frames.empty() || names_frames(options.output))) {
         TRY(names, FrameNames::parse(options.output));
         job.names = std::move(*names);
     }
     if (options.renderer != "gl") return job;
     TRY(method, chosen_method(options.method, options.max_error, job.scene, options.listener));
     job.method = *method;
+    job.traced_tiles =
+        options.tiles == "auto" ? worth_tiles(job, job.frames.end - job.frames.first) : options.tiles == "traced";
     return job;
 }
 
@@ -194,7 +222,8 @@ Result<bool> draw_frame(const Job& job, Session* session, const CaptureOptions& 
         watch.begun(frame);
         const Stopwatch clock;
         const Exposure shown = exposure_in(job, options.time_step, frame);
-        TRY(made_by, draw(job, session, shown, options, file, store != nullptr ? std::optional(frame) : std::nullopt));
+        const bool numbered = store != nullptr || options.one_frame;
+        TRY(made_by, draw(job, session, shown, options, file, numbered ? std::optional(frame) : std::nullopt));
         const std::string blur = shown.sub_frames.empty() ? ""
                                                           : fmt::format(", {} sub-frames in {:.1f} s",
                                                                         shown.sub_frames.size(), clock.seconds());
@@ -226,8 +255,7 @@ Status draw_here(const Job& job, const CaptureOptions& options, FrameStore* stor
         TRY(opened, open_session(options.context));
         session = std::move(*opened);
         session->renderer->set_method(job.method);
-        session->renderer->limit_tiles(worth_tiles(job, job.frames.end - job.frames.first) ? Tiles::kTraced
-                                                                                           : Tiles::kBodies);
+        session->renderer->limit_tiles(job.traced_tiles ? Tiles::kTraced : Tiles::kBodies);
     }
     return draw_frames(job, session ? &*session : nullptr, options, store, watch);
 }
@@ -276,22 +304,33 @@ Status finish_film(const Job& job, const CaptureOptions& options) {
     return Done{};
 }
 
-Result<Scene> scene_of(const CaptureOptions& options) {
+struct CaptureRun {
+    CaptureOptions options;
+    OpenedScene opened;
+};
+
+// What was asked for, with what a picture recorded.
+Result<CaptureRun> run_of(CaptureOptions options) {
     if (!options.ffmpeg.empty() && (!options.to_film() || !options.ffmpeg.front().starts_with('-')))
         return bad_input(
             fmt::format("{}: not expected here; after -- are ffmpeg's options for a film", options.ffmpeg.front()));
-    TRY(scene, load_scene_sized(options.scene, options.size));
-    if (options.time) scene->time = *options.time;
-    if (options.samples && options.renderer == "gl") scene->picture.samples = *options.samples;
-    return scene;
+    const Note note = options.listener.note;
+    TRY(opened, open_scene(options.scene, note));
+    TRY(whole, with_recorded(std::move(options), *opened, note));
+    TRY(scene, sized(std::move(opened->scene), whole->size));
+    if (whole->time) scene->time = *whole->time;
+    if (whole->samples && whole->renderer == "gl") scene->picture.samples = *whole->samples;
+    opened->scene = std::move(*scene);
+    return CaptureRun{std::move(*whole), std::move(*opened)};
 }
 
 Status run_capture(const CaptureOptions& given) {
-    CaptureOptions options = given;
-    if (options.quiet) options.listener.note = [](const std::string&) {};
-    TRY(scene, scene_of(options));
-    if (options.dump_shader) return dump_shader(*scene);
-    TRY(job, job_of(options, std::move(*scene)));
+    CaptureOptions asked = given;
+    if (asked.quiet) asked.listener.note = [](const std::string&) {};
+    TRY(run, run_of(std::move(asked)));
+    const CaptureOptions& options = run->options;
+    if (options.dump_shader) return dump_shader(run->opened.scene);
+    TRY(job, job_of(options, run->opened));
     if (!options.quiet && job->scene.picture.shutter > 0.0 && !job->path && options.time_step == 0)
         fmt::print(stderr, "picture.shutter: all is at rest without a [path] or --time-step\n");
     if (!options.quiet && job->scene.picture.shutter > 0.0) say_dots(*job, options.time_step);
@@ -307,9 +346,9 @@ Result<std::string> sequence_stamp(const CaptureOptions& options) {
     if (options.to_film())
         return bad_input(fmt::format("-o {}: a film is made by one run", options.output),
                          "names that end in .png, .jpg, .exr or .fits");
-    TRY(scene, scene_of(options));
-    TRY(job, job_of(options, std::move(*scene)));
-    return stamp_of(*job, options);
+    TRY(run, run_of(options));
+    TRY(job, job_of(run->options, run->opened));
+    return stamp_of(*job, run->options);
 }
 
 void add_capture(Command& parent) { add_capture_to(parent, run_capture); }

@@ -38,6 +38,7 @@ Status check_options(const CaptureOptions& options) {
         for (const auto& [option, given] : {std::pair{"--method", options.method != "auto"},
                                             {"--max-error", options.max_error.has_value()},
                                             {"--context", options.context != CaptureOptions{}.context},
+                                            {"--tiles", options.tiles != "auto"},
                                             {"--largest-texture", options.largest_texture.has_value()}})
             if (given)
                 return bad_input(fmt::format("{}: the reference has no shader and no GL", option),
@@ -45,15 +46,12 @@ Status check_options(const CaptureOptions& options) {
     return Done{};
 }
 
-void add_capture_to(Command& parent, const std::function<Status(const CaptureOptions&)>& run_it) {
-    auto [command, options] = add_command<CaptureOptions>(parent, "capture",
-                                                          "Draw a scene to a PNG or JPEG (display-ready), an EXR "
-                                                          "(linear light, optional ray data) or a FITS (linear light, "
-                                                          "sky coordinates)",
-                                                          run_it);
+void add_capture_options(Command& command, CaptureOptions& options) {
     const KeyRange times = key_range("time");
-    required_option(command, "scene", options.scene,
-                    "Scene file, or the name of a built-in scene (see: nullscope scenes)");
+    required_option(
+        command, "scene", options.scene,
+        "Scene file, the name of a built-in scene (see: nullscope scenes), or a picture that nullscope drew: "
+        "its scene and options, where others are not given");
     text_option(command, "-o,--output", options.output,
                 fmt::format("File to write, .png, .jpg, .exr or .fits, or a film: {}, which needs ffmpeg and resumes "
                             "an interrupted run "
@@ -121,7 +119,22 @@ void add_capture_to(Command& parent, const std::function<Status(const CaptureOpt
             "Instead of colours write where each pixel looks: on a panorama of the sky, or on a flat plate that the "
             "same camera would see if light ran straight (docs/layers.md)")
         .one_of({"sky", "plate"});
+    text_option(
+        command, "--tiles", options.tiles,
+        "How the shader draws a disc: traced, in tiles that show some of it (faster, the same but for rounding); "
+        "bodies, at once; auto: traced where there is much to draw",
+        {"auto", "bodies", "traced"});
     command.add_flag("--dump-shader", &options.dump_shader, "Print the shaders of this scene's passes and stop");
+}
+
+void add_capture_to(Command& parent, const std::function<Status(const CaptureOptions&)>& run_it) {
+    auto [command, options] = add_command<CaptureOptions>(parent, "capture",
+                                                          "Draw a scene to a PNG or JPEG (display-ready), an EXR "
+                                                          "(linear light, optional ray data) or a FITS (linear light, "
+                                                          "sky coordinates)",
+                                                          run_it);
+    command.note_given(&options.given);
+    add_capture_options(command, options);
 }
 
 }  // namespace nullscope::cli

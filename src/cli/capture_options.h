@@ -22,7 +22,11 @@ struct CaptureOptions : DrawOptions {
     std::optional<int> quality;  // of a JPEG
     int workers = 1;
     std::vector<std::string> ffmpeg;  // options for the film
+    std::string tiles = "auto";
     bool half = false, dump_shader = false, resume = false, plain = false, quiet = false;
+    std::vector<std::string> given;  // names of the options that were given
+    bool split_is_recorded = false;  // split is the picture that the scene is of
+    bool one_frame = false;          // frames is one that a picture recorded, drawn into a file of its own
 
     bool to_exr() const { return output.ends_with(".exr"); }
     bool to_fits() const { return output.ends_with(".fits"); }
@@ -37,7 +41,8 @@ struct CaptureOptions : DrawOptions {
     }
 };
 
-// Adds the command, with the function that it runs.
+// The command's options into their target, and the command with the function that it runs.
+void add_capture_options(Command& command, CaptureOptions& options);
 void add_capture_to(Command& parent, const std::function<Status(const CaptureOptions&)>& run_it);
 
 // Files of an unknown kind, and options that would change nothing. Errors: bad input, or no such folder.

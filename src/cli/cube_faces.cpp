@@ -52,7 +52,8 @@ CameraSpec face_camera(const CameraSpec& camera, int face) {
     return seen;
 }
 
-Status write_faces(const Scene& scene, const Captured& captured, const CaptureOptions& options) {
+Status write_faces(const PictureOrigin& origin, const Captured& captured, const CaptureOptions& options) {
+    const Scene& scene = origin.scene;
     const int side = scene.camera.width / 3;
     for (int face = 0; face < 6; ++face) {
         const int left = face % 3 * side, top = face / 3 * side;
@@ -60,11 +61,11 @@ Status write_faces(const Scene& scene, const Captured& captured, const CaptureOp
         one.linear = cut(captured.linear, left, top, side);
         one.display = cut(captured.display, left, top, side);
         one.made_by = captured.made_by;
-        Scene seen = scene;
-        seen.camera = face_camera(scene.camera, face);
+        PictureOrigin seen = origin;
+        seen.scene.camera = face_camera(scene.camera, face);
         std::string name = options.output;
         name.replace(name.find(kPlace), kPlace.size(), kFaceNames[static_cast<std::size_t>(face)]);
-        if (Status written = write_picture(name, seen, one, options, {}); !written) return written;
+        if (Status written = write_picture(name, seen, one, options); !written) return written;
     }
     return Done{};
 }

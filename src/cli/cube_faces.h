@@ -19,7 +19,7 @@ Status check_faces(const Scene& scene, const CaptureOptions& options);
 // The pinhole camera of 90 degrees whose picture that face is. camera: of a cube.
 CameraSpec face_camera(const CameraSpec& camera, int face);
 
-// Cuts captured, the picture of all faces, into files.
-Status write_faces(const Scene& scene, const Captured& captured, const CaptureOptions& options);
+// Cuts captured, the picture of all faces, into files. origin: of that picture.
+Status write_faces(const PictureOrigin& origin, const Captured& captured, const CaptureOptions& options);
 
 }  // namespace nullscope::cli

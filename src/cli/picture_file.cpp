@@ -4,34 +4,32 @@
 
 #include <algorithm>
 #include <map>
+#include <string_view>
 #include <utility>
 
-#include "base/text.h"
 #include "cli/fits_header.h"
 #include "cli/flux.h"
 #include "compare/ray_channels.h"
 #include "image/channels.h"
 #include "image/image_file.h"
 #include "render/picture_bands.h"
-#include "scenefile/scene_writer.h"
 #include "version/version.h"
 
 namespace nullscope::cli {
 namespace {
 
-std::map<std::string, std::string> words_of(const Scene& scene, const std::string& made_by, std::optional<int> frame) {
-    const std::string text = scene_file_text(scene, {});
-    std::map<std::string, std::string> words = {{"nullscope.scene", scene.name},
-                                                {"nullscope.scene_text", text},
-                                                {"nullscope.scene_hash", fmt::format("{:016x}", fnv1a(text))},
-                                                {"nullscope.renderer", made_by},
-                                                {"nullscope.version", kVersionText}};
-    if (frame) words["nullscope.frame"] = fmt::format("{}", *frame);
-    return words;
+// By which driver, whatever context it is in: EGL and OSMesa have the same one.
+Result<std::map<std::string, std::string>> words_of(PictureOrigin origin, std::string_view made_by) {
+    for (const std::string_view context : {"egl, ", "osmesa, "})
+        if (made_by.starts_with(context)) made_by.remove_prefix(context.size());
+    origin.renderer = made_by;
+    origin.version = kVersionText;
+    return picture_words(origin);
 }
 
-FitsHeader header_of(const Scene& scene, const Captured& captured, const std::optional<FluxUnit>& flux, bool several,
-                     std::optional<int> frame) {
+FitsHeader header_of(const PictureOrigin& origin, const Captured& captured, const std::optional<FluxUnit>& flux,
+                     bool several, std::map<std::string, std::string> words) {
+    const Scene& scene = origin.scene;
     FitsHeader header{.unit_comment = "relative luminance: linear light, 1 is white"};
     if (flux) {
         header.unit = "Jy/pixel", header.unit_comment = "flux density of a pixel";
@@ -43,23 +41,23 @@ FitsHeader header_of(const Scene& scene, const Captured& captured, const std::op
     header.cards.push_back({"CREATOR", fmt::format("nullscope {}", kVersionText), "program and version"});
     header.cards.push_back({"RENDERER", captured.made_by, ""});
     header.cards.push_back({"SCENE", scene.name, ""});
-    header.cards.push_back(
-        {"SCENHASH", words_of(scene, {}, {})["nullscope.scene_hash"], "FNV-1a of its canonical text"});
-    if (frame) header.cards.push_back({"FRAME", static_cast<long long>(*frame), "of a sequence"});
+    header.cards.push_back({"SCENHASH", words["nullscope.scene_hash"], "FNV-1a of its text, which is in HISTORY"});
+    if (origin.frame) header.cards.push_back({"FRAME", static_cast<long long>(*origin.frame), "of a sequence"});
+    header.texts = std::move(words);
     return header;
 }
 
 }  // namespace
 
-Result<std::string> capture_large_exr(Session& session, const Scene& told, const std::vector<Exposure>& shown,
-                                      const CaptureOptions& options, const std::string& file_name,
-                                      std::optional<int> frame) {
+Result<std::string> capture_large_exr(Session& session, const PictureOrigin& origin, const std::vector<Exposure>& shown,
+                                      const CaptureOptions& options, const std::string& file_name) {
     const CameraSpec& camera = shown.front().scene.camera;
     begin_drawing(session, options.drawing());
     const std::vector<PictureBand> bands = picture_bands(camera);
     const Advance advance = options.listener.progress("large picture", camera.height);
+    TRY(words, words_of(origin, made_by(session)));
     const BandedImage image{camera.width * static_cast<int>(shown.size()), camera.height, options.half,
-                            words_of(told, made_by(session), frame)};
+                            std::move(*words)};
     TRY(saved, save_exr_bands(file_name, image, [&](int y) -> Result<Image<float>> {
             const PictureBand band = *std::ranges::find(bands, y, &PictureBand::top);
             Image<float> all;
@@ -74,31 +72,31 @@ Result<std::string> capture_large_exr(Session& session, const Scene& told, const
     return made_by(session);
 }
 
-Status write_picture(const std::string& file_name, const Scene& scene, const Captured& captured,
-                     const CaptureOptions& options, std::optional<int> frame) {
+Status write_picture(const std::string& file_name, const PictureOrigin& origin, const Captured& captured,
+                     const CaptureOptions& options) {
+    const Scene& scene = origin.scene;
+    TRY(words, words_of(origin, captured.made_by));
     if (file_name.ends_with(".jpg") || file_name.ends_with(".jpeg"))
         return save_jpeg(file_name, captured.display, fmt::format("{}\nnullscope {}", scene.name, kVersion),
-                         options.quality.value_or(kJpegQuality));
+                         options.quality.value_or(kJpegQuality), *words);
     if (file_name.ends_with(".fits")) {
         const bool several = !options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
         const auto flux = flux_unit(scene, several);
         return save_fits(file_name, flux ? in_jansky(captured.linear, *flux) : captured.linear,
-                         header_of(scene, captured, flux, several, frame));
+                         header_of(origin, captured, flux, several, std::move(*words)));
     }
-    std::map<std::string, std::string> words = words_of(scene, captured.made_by, frame);
     if (!file_name.ends_with(".exr")) {
-        words.erase("nullscope.renderer");  // the same picture is the same file
-        words.insert({{"Title", scene.name}, {"Software", fmt::format("nullscope {}", kVersion)}});
-        return save_png(file_name, captured.display, words);
+        words->insert({{"Title", scene.name}, {"Software", fmt::format("nullscope {}", kVersion)}});
+        return save_png(file_name, captured.display, *words);
     }
     if (options.half)
-        return save_exr_bands(file_name, {captured.linear.width, captured.linear.height, true, std::move(words)},
+        return save_exr_bands(file_name, {captured.linear.width, captured.linear.height, true, std::move(*words)},
                               [&](int) -> Result<Image<float>> { return captured.linear; });
     ChannelImage file{captured.linear.width, captured.linear.height, {}, {}};
     for (int c = 0; c < 3; ++c) file.channels[std::string(1, "RGB"[c])] = channel_of(captured.linear, c);
     if (captured.rays) add_ray_channels(*captured.rays, file);
     if (captured.layers) add_layer_channels(*captured.layers, scene, file);
-    file.attributes = std::move(words);
+    file.attributes = std::move(*words);
     return save_exr(file_name, file);
 }
 

@@ -1,0 +1,122 @@
+#include "cli/recorded_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/text.h"
+#include "cli/frame_store.h"
+#include "image/image_file.h"
+#include "plan/frame_plan.h"
+#include "scenefile/picture_scene.h"
+
+namespace nullscope::cli {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+bool names_one(const Names& names, std::string_view option) { return std::ranges::find(names, option) != names.end(); }
+
+// Which of what is recorded the new picture does not take over, because of what was given.
+Names displaced(const CaptureOptions& options, const Names& given) {
+    Names out = given;
+    const auto drop = [&](const Names& names) { out.insert(out.end(), names.begin(), names.end()); };
+    // What is given goes before what cannot stand beside it (check_options).
+    static const std::array<std::pair<Names, Names>, 7> either = {{
+        {{"--renderer"}, {"--method", "--tiles", "--largest-texture", "--samples", "--half", "--layers"}},
+        {{"--method", "--max-error", "--tiles", "--context", "--largest-texture", "--half", "--layers"},
+         {"--renderer", "--samples"}},
+        {{"--max-error"}, {"--method"}},
+        {{"--half"}, {"--raydata", "--layers", "--st-map"}},
+        {{"--raydata", "--layers"}, {"--half", "--st-map"}},
+        {{"--st-map", "--split,--beside"}, {"--half", "--raydata", "--layers"}},
+        {{"--split,--beside"}, {"--st-map"}},
+    }};
+    for (const auto& [these, others] : either)
+        if (std::ranges::any_of(these, [&](std::string_view name) { return names_one(given, name); })) drop(others);
+    if (names_one(given, "--frames") || options.to_film()) drop({"--frames", "--time-step", "--time-frame"});
+    return out;
+}
+
+// What is in no file of this kind.
+Names without_place(const CaptureOptions& options) {
+    Names out;
+    if (!options.to_exr()) out = {"--half", "--raydata", "--layers", "--st-map"};
+    if (!options.to_jpeg()) out.push_back("--quality");
+    return out;
+}
+
+}  // namespace
+
+std::string recorded_options(const RunOptions& run, const Scene& scene) {
+    const CaptureOptions& options = run.options;
+    std::vector<std::string> words;
+    const auto add = [&](const char* name, const auto& value) { words.push_back(fmt::format("{} {}", name, value)); };
+    if (options.renderer == "reference") {
+        add("--renderer", options.renderer), add("--samples", options.samples.value_or(kSamples));
+    } else {
+        const bool mino = light_path_kind(effect_set(required_effects(scene))) == LightPathKind::kMino;
+        if (!(mino && run.method == Method{})) add("--method", method_name(run.method));
+        if (run.traced_tiles) add("--tiles", *run.traced_tiles ? "traced" : "bodies");
+        if (options.largest_texture) add("--largest-texture", *options.largest_texture);
+    }
+    if (options.half) words.emplace_back("--half");
+    if (options.raydata) words.emplace_back("--raydata");
+    if (options.layers) words.emplace_back("--layers");
+    if (!options.st_map.empty()) add("--st-map", options.st_map);
+    if (options.to_jpeg()) add("--quality", options.quality.value_or(kJpegQuality));
+    if (options.plain && !options.to_linear_light()) words.emplace_back("--plain");
+    if (run.frame) words.push_back(fmt::format("--frames {}:{}", *run.frame, *run.frame + 1));
+    if (run.whole_film && options.time_step != 0) add("--time-step", options.time_step);
+    if (run.whole_film && run.frame && !scene.path) add("--time-frame", run.time_frame);
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
+Result<CaptureOptions> with_recorded(CaptureOptions options, const OpenedScene& picture, const Note& note) {
+    if (options.split.empty() && picture.words.contains(kSplitWord))
+        options.split = options.scene, options.split_is_recorded = true;
+    const auto text = picture.words.find(kOptionsWord);
+    if (text == picture.words.end()) return options;
+    CaptureOptions recorded;
+    Command command("capture", ""), ours("capture", "");
+    add_capture_options(command, recorded), add_capture_options(ours, options);
+    std::vector<std::string> words = {"capture", "scene"};
+    for (std::string& word : split(text->second, ' ')) words.push_back(std::move(word));
+    std::vector<const char*> arguments;
+    arguments.reserve(words.size());
+    for (const std::string& word : words) arguments.push_back(word.c_str());
+    command.note_given(&recorded.given);
+    if (const auto asked = parse_command_line(command, static_cast<int>(arguments.size()), arguments.data()); !asked)
+        return bad_input(
+            without_controls(fmt::format("{}: {}: {}", options.scene, kOptionsWord, asked.error().message())));
+
+    const Names out = displaced(options, {options.given.begin(), options.given.end()}), lost = without_place(options);
+    static constexpr std::array<std::string_view, 17> kRecorded = {
+        "--renderer", "--samples", "--method",    "--tiles",      "--largest-texture", "--half",
+        "--raydata",  "--layers",  "--st-map",    "--quality",    "--plain",           "--frames",
+        "--size",     "--time",    "--time-step", "--time-frame", "--max-error"};
+    std::vector<std::string_view> left_out;
+    for (std::size_t i = 0; i < command.options().size(); ++i) {
+        const Option& option = *command.options()[i];
+        const bool known = std::ranges::find(kRecorded, option.names) != kRecorded.end();
+        if (!known || !names_one({recorded.given.begin(), recorded.given.end()}, option.names) ||
+            names_one(out, option.names))
+            continue;
+        if (!names_one(lost, option.names))
+            copy_value(option, *ours.options()[i]);
+        else if (option.names != "--quality")
+            left_out.push_back(option.names);
+    }
+    options.one_frame = !options.frames.empty() && !names_one(out, "--frames") && !names_frames(options.output);
+    if (!left_out.empty())
+        note(fmt::format("{}: recorded options are left out, only an .exr has them: {}",
+                         without_controls(options.scene), fmt::join(left_out, ", ")));
+    return options;
+}
+
+}  // namespace nullscope::cli

@@ -1,0 +1,355 @@
+#!/usr/bin/env python3
+"""Whatever changes a picture is in its metadata, in every format alike, and a picture is drawn again from itself, bit for bit."""
+import array
+import hashlib
+import math
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+import support
+from test_astronomy import read_fits
+from test_pictures import png_texts
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "viewer"))
+from x_screen import read_png  # noqa: E402
+
+KINDS = ("png", "jpg", "exr", "fits")
+# Of no format of their own: what PNG asks for, and what a file is.
+OTHERS = {"Title", "Software"}
+SIZE = ("--size", "48x27")
+SKY = '[camera]\nr = 12\ntheta = 80\n[sky]\nkind = "image"\nimage = "%s"\n'
+WARPED = 'name = "warped"\n[camera]\nr = 12\nwarp = "%s"\n[sky]\nkind = "checker"\n'
+GRID = '[spacetime]\nmetric = "kerr"\nspin = 0.9\n[camera]\nr = 15\ntheta = 60\n[sky]\nkind = "black"\n[medium]\nkind = "grid"\nfile = "%s"\n[object]\nname = "m87"\n'
+KEYS = '[spacetime]\nmetric = "kerr"\nspin = 0.8\n[camera]\nr = 20\n[sky]\nkind = "checker"\n[path]\nkind = "keys"\nfile = "camera.csv"\n'
+
+
+def png_of(colour, width=64, height=32):
+    """A PNG of stripes, by hand."""
+    rows = b"".join(b"\0" + b"".join(bytes(colour if x // 4 % 2 else (9, 9, 9)) for x in range(width)) for _ in range(height))
+
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) + \
+        chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
+
+
+def grid_of(density, head=""):
+    """A grid of matter of 3 x 3 x 1 nodes."""
+    node = struct.pack("<8f", density, 5e10, 1, 1, 10, 0, 0, 0)
+    return (f"nullscope-medium 1\ncoordinates kerr-schild\nspin 0.9\nr 0.8 12 3\ntheta 0.1 3.0 3\nphi 0 1\n{head}data\n").encode() + 9 * node
+
+
+def mesh_of(shift):
+    """A warp mesh of 3 x 3 nodes."""
+    lines = ["2", "3 3"]
+    lines += [f"{1.777 * (x - 1):.4f} {y - 1 + (shift if x == y == 1 else 0):.4f} {x / 2:.3f} {y / 2:.3f} 1" for y in range(3) for x in range(3)]
+    return "\n".join(lines) + "\n"
+
+
+def jpeg_texts(data):
+    texts, at = {}, 2
+    while data[at + 1] != 0xda:
+        kind, length = data[at + 1], struct.unpack(">H", data[at + 2:at + 4])[0]
+        body = data[at + 4:at + 2 + length]
+        if kind == 0xfe and body.startswith(b"nullscope."):
+            keyword, text = body.split(b"\n", 1)
+            texts[keyword.decode()] = text.decode()
+        at += 2 + length
+    return texts
+
+
+def exr_attributes(data):
+    """Strings by name."""
+    at, texts = 8, {}
+    while data[at] != 0:
+        name_end = data.index(b"\0", at)
+        kind_end = data.index(b"\0", name_end + 1)
+        length = struct.unpack("<i", data[kind_end + 1:kind_end + 5])[0]
+        if data[name_end + 1:kind_end] == b"string":
+            texts[data[at:name_end].decode()] = data[kind_end + 5:kind_end + 5 + length].decode()
+        at = kind_end + 5 + length
+    return texts
+
+
+def whole(texts):
+    """Pieces KEYWORD.0, KEYWORD.1, ... put together."""
+    out = {}
+    for keyword, text in texts.items():
+        name, _, number = keyword.rpartition(".")
+        if number.isdigit():
+            out.setdefault(name, {})[int(number)] = text
+        else:
+            out[keyword] = {0: text}
+    return {name: "".join(text for _, text in sorted(pieces.items())) for name, pieces in out.items()}
+
+
+def fits_texts(data):
+    texts, keyword, at = {}, None, 0
+    while not data[at:at + 80].startswith(b"END "):
+        card = data[at:at + 80].decode("ascii").rstrip()
+        at += 80
+        if not card.startswith("HISTORY "):
+            continue
+        words = card[8:]
+        if words.startswith("nullscope."):
+            keyword = words
+            texts[keyword] = []
+        elif words.startswith("|"):
+            texts[keyword].append(words[2:])
+        else:
+            texts[keyword][-1] += words[2:]
+    return {keyword: re.sub("((?:%[0-9A-F]{2})+)", lambda m: bytes.fromhex(m.group(1).replace("%", "")).decode(), "\n".join(lines))
+            for keyword, lines in texts.items()}
+
+
+def texts_of(path):
+    data = path.read_bytes()
+    texts = {".png": png_texts, ".jpg": jpeg_texts, ".exr": exr_attributes, ".fits": fits_texts}[path.suffix](data)
+    return {keyword: text for keyword, text in whole(texts).items() if keyword not in OTHERS}
+
+
+def kinds_of(number):
+    """At quick depth one format for each case, in turn: test_every_format_says_the_same holds the others."""
+    return [KINDS[number % len(KINDS)]] if support.QUICK else KINDS
+
+
+class Provenance(support.CliTest):
+    def capture(self, scene, name, *options):
+        self.run_nullscope("capture", scene, "-o", name, *options)
+        return texts_of(self.folder / name)
+
+    def apart(self, number, one, other, keyword):
+        """Two runs whose pictures say different things under this keyword."""
+        for kind in kinds_of(number):
+            a, b = (self.capture(words[0], f"a.{kind}", *SIZE, *words[1:]) for words in (one, other))
+            self.assertNotEqual(a[keyword], b[keyword], f"{kind}: {keyword}")
+
+    def test_every_format_says_the_same(self):
+        scene = self.write("größe.toml", 'name = "Größe 50 % und\\\\ mehr "\n' + KEYS.split("[path]")[0] + "[disc]\n")
+        said = {kind: self.capture(scene, f"a.{kind}", *SIZE, "--plain") for kind in KINDS}
+        for kind in KINDS:
+            said[kind]["nullscope.options"] = re.sub(" ?--(quality 92|plain)", "", said[kind]["nullscope.options"])
+            self.assertEqual(said[kind], said["png"], kind)
+        self.assertEqual(said["png"]["nullscope.scene"], "Größe 50 % und\\ mehr ")
+        self.assertEqual(set(said["png"]), {"nullscope." + word for word in ("scene", "scene_text", "scene_hash", "options", "renderer", "version")})
+        for kind in KINDS:   # no date, no name of a machine or a folder; the same bytes again
+            data = (self.folder / f"a.{kind}").read_bytes()
+            self.assertNotIn(str(self.folder).encode(), data)
+            self.capture(scene, f"b.{kind}", *SIZE, "--plain")
+            self.assertEqual(data, (self.folder / f"b.{kind}").read_bytes(), kind)
+
+    def test_two_files_of_other_bytes_are_told_apart(self):
+        self.write("warm.png", png_of((200, 80, 0)))
+        self.write("cold.png", png_of((0, 80, 200)))
+        self.write("thin.grid", grid_of(1e3))
+        self.write("dense.grid", grid_of(4e3))
+        self.write("flat.mesh", mesh_of(0))
+        self.write("bent.mesh", mesh_of(0.05))
+        for number, (scene, one, other) in enumerate(((SKY, "warm.png", "cold.png"), (GRID, "thin.grid", "dense.grid"),
+                                                      (WARPED, "flat.mesh", "bent.mesh"))):
+            kept = {}
+            for name in (one, other):   # under one name: the scene's text is the same
+                shutil.copy(self.folder / name, self.folder / "input")
+                path = self.write("scene.toml", scene % "input")
+                for kind in kinds_of(number):
+                    texts = self.capture(path, f"{name}.{kind}", *SIZE)
+                    self.assertEqual(texts["nullscope.files"], hashlib.sha256((self.folder / name).read_bytes()).hexdigest() + "  input")
+                    kept.setdefault(kind, []).append(texts)
+            for kind, (a, b) in kept.items():
+                self.assertEqual(a["nullscope.scene_text"], b["nullscope.scene_text"])
+                self.assertNotEqual(a["nullscope.files"], b["nullscope.files"], f"{scene}: {kind}")
+
+    def test_a_grid_s_head_is_shown(self):
+        head = self.capture("grid-torus", "a.png", *SIZE)["nullscope.grid_head"]
+        self.assertTrue(head.startswith("nullscope-medium 1\ncoordinates "), head)
+
+    def test_options_are_told_apart(self):
+        pairs = {
+            "nullscope.scene_text": [(("kerr",), ("kerr", "--time", "3")), (("kerr",), ("kerr", "--samples", "2"))],
+            "nullscope.options": [(("flat",), ("flat", "--renderer", "reference", "--samples", "1")),
+                                  (("flat", "--renderer", "reference", "--samples", "1"), ("flat", "--renderer", "reference", "--samples", "2")),
+                                  (("first-light",), ("first-light", "--method", "table")),
+                                  (("flat",), ("flat", "--largest-texture", "64"))],
+            "nullscope.split_text": [(("flat", "--split", "kerr"), ("flat", "--split", "first-light"))]}
+        for number, (keyword, (one, other)) in enumerate((keyword, case) for keyword, cases in pairs.items() for case in cases):
+            self.apart(number, one, other, keyword)
+        for kind, one, other in (("jpg", ["--quality", "50"], ["--quality", "60"]), ("exr", [], ["--half"]), ("exr", [], ["--raydata"]),
+                                 ("exr", [], ["--layers"]), ("exr", ["--st-map", "sky"], ["--st-map", "plate"])):
+            a, b = (self.capture("flat", f"a.{kind}", *SIZE, *words)["nullscope.options"] for words in (one, other))
+            self.assertNotEqual(a, b)
+        split = self.write("split.toml", '[camera]\nr = 8\n[sky]\nkind = "plain"\n[split]\nmetric = "kerr"\n')
+        self.assertIn("--plain", self.capture(split, "a.png", *SIZE, "--plain")["nullscope.options"])
+        for tiles in ("traced", "bodies"):   # of a disc, which they draw otherwise
+            self.assertIn(f"--tiles {tiles}", self.capture("accretion", "a.png", *SIZE, "--tiles", tiles)["nullscope.options"])
+            self.assertNotIn("--tiles", self.capture("flat", "a.png", *SIZE, "--tiles", tiles)["nullscope.options"])
+
+    def drawn_again(self, name, *options):
+        """The very same file, from nothing but it."""
+        data = (self.folder / name).read_bytes()
+        ran = self.run_nullscope("capture", name, "-o", "again" + Path(name).suffix, *options)
+        self.assertEqual(ran.err, "")
+        self.assertEqual(data, (self.folder / ("again" + Path(name).suffix)).read_bytes(), f"{name}\n{texts_of(self.folder / name)}")
+
+    def test_a_picture_is_drawn_again_from_itself(self):
+        self.write("sky.png", png_of((200, 80, 0)))
+        sky = self.write("scene.toml", SKY % "sky.png")
+        turned = self.write("turned.toml", SKY.replace("theta = 80", "theta = 71.3\nyaw = 0.7\nroll = 33") % "sky.png")
+        for number, (scene, *options) in enumerate(((sky,), (turned, "--samples", "2", "--time", "1.5"), ("flat", "--split", "sky-only"),
+                                                    ("kerr", "--renderer", "reference", "--samples", "1"), ("m87",))):
+            for kind in kinds_of(number):
+                self.run_nullscope("capture", scene, "--size", "32x18", *options, "-o", f"a.{kind}")
+                self.drawn_again(f"a.{kind}")
+        for words in (["--half"], ["--raydata"], ["--layers"], ["--st-map", "sky"]):
+            self.run_nullscope("capture", "kerr", "--size", "16x9", *words, "-o", "a.exr")
+            self.drawn_again("a.exr")
+            if support.QUICK and words != ["--half"]:
+                continue
+            # What is given goes before what cannot stand beside it.
+            self.run_nullscope("capture", "a.exr", "--raydata" if words == ["--half"] else "--half", "-o", "b.exr")
+            self.run_nullscope("capture", "a.exr", "--renderer", "reference", "--samples", "1", "--size", "8x8", "-o", "b.exr")
+            self.run_nullscope("capture", "b.exr", "--context", "auto", "-o", "c.exr")
+            self.assertIn("--tiles bodies", texts_of(self.folder / "c.exr")["nullscope.options"])
+        ran = self.run_nullscope("capture", "a.exr", "-o", "b.png")
+        self.assertRegex(ran.err, "^a.exr: recorded options are left out, only an .exr has them: --st-map\n$")
+        # In another format, of another size: what is given overrides.
+        self.run_nullscope("capture", "a.exr", "--size", "40x20", "-o", "b.png")
+        picture = read_png(self.folder / "b.png")
+        self.assertEqual((picture.width, picture.height), (40, 20))
+
+    def test_frames_are_drawn_again(self):
+        rows = ["frame,r,theta,phi"] + [f"{10 * k},{20 - k},{70 + 3 * k},{7 * k}" for k in range(4)]
+        self.write("camera.csv", "\n".join(rows) + "\n")
+        keys = self.write("keys.toml", KEYS)
+        blurred = self.write("blurred.toml", KEYS + "[picture]\nshutter = 0.5\nsub_frames = 3\n")
+        moving = self.write("moving.toml", '[camera]\nr = 20\n[sky]\nkind = "checker"\n[ball]\nposition = [8, 0, 0]\nmotion = "orbit"\n')
+        for number, (scene, *options) in enumerate(((keys, "--frames", "7:8"), (blurred, "--frames", "7:8"), ("kerr-plunge", "--frames", "3:4"),
+                                                    (moving, "--frames", "2:3", "--time-step", "4", "--time-frame", "0"))):
+            for kind in kinds_of(number):
+                self.run_nullscope("capture", scene, "--size", "32x18", *options, "-o", f"f%d.{kind}")
+                name = next(path.name for path in self.folder.glob(f"f*.{kind}"))
+                self.assertIn("nullscope.frame", texts_of(self.folder / name))
+                self.drawn_again(name)
+                (self.folder / name).unlink()
+        self.run_nullscope("capture", moving, "--size", "32x18", "--layers", "--frames", "2:3", "--time-step", "4", "-o", "m%d.exr")
+        self.drawn_again("m2.exr")   # with its motion vectors
+
+    def test_files_are_looked_for_beside_the_picture_and_here(self):
+        (self.folder / "scenes").mkdir()
+        (self.folder / "out").mkdir()
+        sky = png_of((200, 80, 0))
+        self.write("scenes/sky.png", sky)
+        scene = self.write("scenes/s.toml", SKY % "sky.png")
+        self.run_nullscope("capture", scene, *SIZE, "-o", "out/a.png")
+        self.assertIn('image = "sky.png"', texts_of(self.folder / "out/a.png")["nullscope.scene_text"])
+        self.refused("capture", "out/a.png", "-o", "b.png", says=["out/a.png", "sky.image", "sky.png"])
+        for place in ("sky.png", "out/sky.png"):
+            self.write(place, sky)
+            self.run_nullscope("capture", "out/a.png", "-o", "b.png")
+            self.assertEqual((self.folder / "out/a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        self.write("out/sky.png", png_of((0, 80, 200)))   # another one: said
+        ran = self.run_nullscope("capture", "out/a.png", "-o", "b.png")
+        self.assertRegex(ran.err, 'out/a.png: "out/sky.png" is not the file that the picture was drawn from')
+        self.assertEqual(ran.err.count("\n"), 1)
+
+    def test_every_command_opens_a_picture(self):
+        for kind in KINDS:
+            name = f"a.{kind}"
+            self.run_nullscope("capture", "first-light", "--size", "32x18", "-o", name)
+            text = self.write("s.toml", texts_of(self.folder / name)["nullscope.scene_text"])
+            self.assertEqual(self.run_nullscope("plan", name).out, self.run_nullscope("plan", text).out)
+            self.assertIn('name = "First light"', self.run_nullscope("scenes", name).out)
+
+    def test_what_holds_no_scene_is_refused(self):
+        self.write("plain.png", png_of((1, 2, 3)))
+        self.refused("capture", "plain.png", "-o", "b.png", says=["plain.png", "holds no scene"])
+        self.refused("plan", "plain.png", says=["plain.png", "holds no scene"])
+        self.run_nullscope("capture", "first-light", "--size", "32x18", "-o", "a.png")
+        data = (self.folder / "a.png").read_bytes()
+        at = data.index(b"iTXtnullscope.scene_text")
+        self.write("cut.png", data[:at + 100])
+        self.refused("capture", "cut.png", "-o", "b.png", says=["cut.png", "cut off"])
+        self.write("huge.png", data[:at - 4] + struct.pack(">I", 0x7fffffff) + data[at:])
+        self.refused("capture", "huge.png", "-o", "b.png", says=["huge.png", "bytes of itself"])
+        self.write("flipped.png", data[:at + 60] + bytes([data[at + 60] ^ 1]) + data[at + 61:])
+        self.refused("capture", "flipped.png", "-o", "b.png", says=["flipped.png", "CRC"])
+        for kind in KINDS[1:]:
+            self.run_nullscope("capture", "first-light", "--size", "32x18", "-o", f"a.{kind}")
+            data = (self.folder / f"a.{kind}").read_bytes()
+            self.write(f"cut.{kind}", data[:data.index(b"nullscope.scene_text") + 90])
+            self.refused("capture", f"cut.{kind}", "-o", "b.png", says=[f"cut.{kind}", "cut off"])
+        # Options that nobody may have written.
+        self.run_nullscope("capture", "kerr", "--size", "32x18", "-o", "a.exr")
+        words = self.write("a.exr", (self.folder / "a.exr").read_bytes().replace(b"--tiles bodies", b"--tiles bodiez"))
+        self.refused("capture", words, "-o", "b.png", says=["a.exr", "nullscope.options", "bodiez"])
+
+    def test_an_exr_has_short_attributes_and_ffmpeg_draws_it(self):
+        long = self.write("long.toml", 'name = "%s"\n[sky]\nkind = "plain"\n' % ("ä" * 90) +
+                          "".join(f'[[ball]]\nname = "ball-{i}"\nposition = [{20 + i}.123456789, 3.25, {i}]\n' for i in range(30)))
+        self.capture(long, "a.exr", *SIZE)
+        attributes = exr_attributes((self.folder / "a.exr").read_bytes())
+        self.assertLessEqual(max(len(text.encode()) for text in attributes.values()), 240)
+        self.assertGreater(len(texts_of(self.folder / "a.exr")["nullscope.scene_text"]), 1500)
+        if shutil.which("ffmpeg") is None:
+            self.skipTest("ffmpeg is not installed")
+        for name, options in (("a.exr", []), ("b.exr", ["--half"])):
+            self.capture(long, name, *SIZE, *options)
+            done = subprocess.run(["ffmpeg", "-v", "error", "-i", name, "-f", "rawvideo", "-pix_fmt", "gbrpf32le", "-"], cwd=self.folder,
+                                  capture_output=True, check=True)
+            values = array.array("f", done.stdout)
+            self.assertEqual(len(values), 3 * 48 * 27)
+            self.assertGreater(max(values), 0.1, "black")
+
+    def test_a_picture_of_an_older_version_is_opened(self):
+        """One attribute, however long."""
+        self.run_nullscope("capture", "m87", "--size", "32x18", "-o", "a.exr")
+        data = (self.folder / "a.exr").read_bytes()
+        texts = exr_attributes(data)
+        text = whole(texts)["nullscope.scene_text"].encode()
+        self.assertGreater(len(text), 240)
+        head = data[:8] + b"nullscope.scene_text\0string\0" + struct.pack("<i", len(text)) + text
+
+        def without_pieces(at):
+            out = b""
+            while data[at] != 0:
+                name_end = data.index(b"\0", at)
+                kind_end = data.index(b"\0", name_end + 1)
+                end = kind_end + 5 + struct.unpack("<i", data[kind_end + 1:kind_end + 5])[0]
+                out += b"" if data[at:].startswith(b"nullscope.") else data[at:end]
+                at = end
+            return out
+        self.write("old.exr", head + without_pieces(8) + b"\0")
+        self.run_nullscope("capture", "old.exr", "-o", "b.exr")
+        self.assertEqual(texts_of(self.folder / "b.exr"), texts_of(self.folder / "a.exr"))
+
+
+class Fits(support.CliTest):
+    def test_the_spin_axis_has_a_position_angle(self):
+        """A camera that rolls turns the axis towards the east, which is left."""
+        scene = '[spacetime]\nmetric = "kerr"\nspin = 0.5\n[camera]\nr = %s\ntheta = %s\nroll = %s\nfov = 1\n[sky]\nkind = "black"\n[object]\nname = "m87"\n'
+        for r, theta, roll in ((1000, 60, 0), (1000, 60, 30), (1000, 163, 108), (1000, 60, -45), (10, 60, 30)):
+            path = self.write("s.toml", scene % (r, theta, roll))
+            self.run_nullscope("capture", path, "--size", "32x32", "-o", "a.fits")
+            cards, _ = read_fits((self.folder / "a.fits").read_bytes())
+            self.assertAlmostEqual(cards["SPIN_PA"], roll % 360, places=9)
+            self.assertEqual(cards["CTYPE1"], "RA---TAN" if r > 20 else "CALN-TAN")
+        # Seen, in flat space: a ball on the axis lies there from the centre of coordinates, east to the left.
+        seen = scene.replace("kerr", "minkowski").replace("spin = 0.5\n", "") + "[ball]\nposition = [0, 0, 5]\nradius = 1\n"
+        self.run_nullscope("capture", self.write("s.toml", seen % (1000, 50, 70)), "--size", "64x64", "-o", "a.fits")
+        cards, planes = read_fits((self.folder / "a.fits").read_bytes())
+        light = [(x, 63 - y, value) for y, row in enumerate(planes[0]) for x, value in enumerate(row)]
+        total = sum(value for _, _, value in light)
+        east, north = (sum(place[axis] * place[2] for place in light) / total + 1 - cards[f"CRPIX{axis + 1}"] for axis in (0, 1))
+        angle = math.degrees(math.atan2(east * cards["CDELT1"], north * cards["CDELT2"])) % 360
+        self.assertAlmostEqual(angle, cards["SPIN_PA"], delta=0.5)
+        self.run_nullscope("capture", self.write("on.toml", scene % (1000, 0, 0)), "--size", "32x32", "-o", "a.fits")
+        cards, _ = read_fits((self.folder / "a.fits").read_bytes())
+        self.assertNotIn("SPIN_PA", cards, "on the axis")
+
+
+if __name__ == "__main__":
+    support.main()
