@@ -18,10 +18,11 @@ bool FileDialog::available() {
 
 Status FileDialog::open() {
     if (is_in_path(kZenity))
-        return process_.start({kZenity, "--file-selection", "--title=Open a scene", "--file-filter=Scenes | *.toml"});
+        return process_.start({kZenity, "--file-selection", "--title=Open a scene",
+                               "--file-filter=Scenes, and pictures that hold one | *.toml *.png *.jpg *.exr *.fits"});
     std::error_code error;
-    return process_.start(
-        {kKdialog, "--getopenfilename", std::filesystem::current_path(error).string(), "Scenes (*.toml)"});
+    return process_.start({kKdialog, "--getopenfilename", std::filesystem::current_path(error).string(),
+                           "Scenes, and pictures that hold one (*.toml *.png *.jpg *.exr *.fits)"});
 }
 
 // Both print the path in a line, after warnings of their libraries; without a choice they end with a status of 1.

@@ -19,7 +19,8 @@
 namespace nullscope::viewer {
 
 Status load_into(ViewState& view, const std::string& file_or_name) {
-    auto loaded = load_scene(file_or_name);
+    view.note.clear();
+    auto loaded = load_scene(file_or_name, [&](const std::string& line) { view.note = line; });
     if (!loaded) {
         view.error = loaded.error().message();
         return loaded.error();

@@ -41,6 +41,7 @@ struct ViewState {
     std::vector<SceneInfo> shipped;
     std::vector<std::string> own;  // paths of files that were opened or saved, the last first
     std::string error;             // of the last change, or nothing
+    std::string note;              // of the file that was opened last, or nothing
     bool show_panels = true, show_keys = false, show_about = false, show_editor = false, show_timeline = false;
     bool show_tours = false;
     bool show_accuracy = false, show_effects = false;  // the section is open

@@ -31,6 +31,7 @@ bool Viewer::open_file(const std::string& file_or_name) {
     leave_scene();
     const Status opened = load_into(view_, file_or_name);
     if (!opened) say(std::exchange(view_.error, {}));
+    if (opened && !view_.note.empty()) say(std::exchange(view_.note, {}));
     if (opened) gallery_.close();
     return static_cast<bool>(opened);
 }

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "image/image_file.h"
+#include "scenefile/picture_scene.h"
+#include "version/version.h"
 #include "viewer/critical_overlay.h"
 #include "viewer/ring_zoom.h"
 #include "viewer/viewer.h"
@@ -190,7 +192,12 @@ void Viewer::save_picture() {
     const auto path = fresh_screenshot_path();
     Image<unsigned char> picture = drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer, size_); });
     mark_saved_picture(picture_.job.scene, picture);
-    const Status saved = save_png(path, picture);
+    PictureOrigin origin{picture_.job.scene, scene_folders(shown_.source)};
+    origin.renderer = info_.renderer, origin.version = kVersionText;
+    auto words = picture_words(origin);
+    if (!words) return say(words.error().message());
+    words->insert({{"Title", origin.scene.name}, {"Software", fmt::format("nullscope {}", kVersion)}});
+    const Status saved = save_png(path, picture, *words);
     say(saved ? fmt::format("Saved {}", path.string()) : saved.error().message());
 }
 

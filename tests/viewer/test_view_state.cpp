@@ -2,8 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include "image/image_file.h"
 #include "scene/bodies.h"
+#include "scenefile/picture_scene.h"
 #include "scenefile/scene_edit.h"
+#include "support/temporary_folder.h"
 #include "viewer/history.h"
 
 namespace {
@@ -56,6 +59,25 @@ bool draws_sphere(const viewer::ViewState& view) {
 }
 
 using Radii = std::vector<double>;
+
+TEST_CASE("view state: a picture is opened as the scene that it holds") {
+    const TemporaryFolder folder("view-picture");
+    const std::string file = (folder.path / "a.png").string();
+    auto drawn = load_scene("kerr");
+    REQUIRE(drawn);
+    drawn->camera.r = 17.25;
+    auto words = picture_words({*drawn, scene_folders("kerr")});
+    REQUIRE(words);
+    REQUIRE(save_png(file, Image<unsigned char>(4, 4, 3), *words));
+    viewer::ViewState view;
+    REQUIRE(load_into(view, file));
+    CHECK(view.scene.camera.r == 17.25);
+    CHECK(view.scene.name == drawn->name);
+    CHECK(view.note.empty());
+    REQUIRE(save_png(file, Image<unsigned char>(4, 4, 3)));
+    CHECK_FALSE(load_into(view, file));
+    CHECK(view.error.find("holds no scene") != std::string::npos);
+}
 
 TEST_CASE("view state: a hidden body is not drawn, and stays in the scene") {
     viewer::ViewState view = with_balls(3);
