@@ -17,6 +17,7 @@
 #include "module/module.h"
 #include "reference/reference.h"
 #include "render/display.h"
+#include "scenefile/picture_scene.h"
 
 namespace nullscope::python {
 namespace {
@@ -206,12 +207,16 @@ void add_picture(nb::module_& m) {
         "8 bits a colour, shape (height, width, 3): bloom, exposure, tone curve, sRGB.");
     m.def(
         "png",
-        [](const Scene& scene, const Linear& light) {
-            const std::string bytes = value_of(encode_png(
-                displayed(scene, light), {{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}}));
+        [](const Scene& scene, const Linear& light, const std::string& options) {
+            PictureOrigin origin{scene, {".", assets_directory() / "scenes"}};
+            origin.options = options, origin.version = NULLSCOPE_VERSION;
+            auto words = value_of(picture_words(origin));
+            words.insert({{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});
+            const std::string bytes = value_of(encode_png(displayed(scene, light), words));
             return nb::bytes(bytes.data(), bytes.size());
         },
-        nb::arg("scene"), nb::arg("light"), "The same as the bytes of a PNG file.");
+        nb::arg("scene"), nb::arg("light"), nb::arg("options") = "",
+        "The same as the bytes of a PNG file. options: of the command line, with which it was drawn.");
     m.def("forget_session", forget_session,
           "Closes the OpenGL context that pictures of this thread keep, and frees what is in it.");
 }

@@ -2,6 +2,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include "base/assets.h"
 #include "module/call.h"
 #include "module/module.h"
 #include "scenefile/scene_file.h"
@@ -12,7 +13,7 @@ namespace {
 
 // Of text that is no file: an error has no line, which nobody wrote.
 Scene parsed(const std::string& text, bool lines) {
-    auto scene = parse_scene(text, "scene", ".");
+    auto scene = parse_scene_in({".", assets_directory() / "scenes"}, text, "scene");
     if (scene) return std::move(*scene);
     Error error = scene.error();
     if (!lines) error.line = 0;
@@ -41,8 +42,15 @@ void add_scene(nb::module_& m) {
             nb::is_operator())
         .def("__hash__", [](const Scene& s) { return std::hash<std::string>()(scene_file_text(s, {})); });
     m.def(
-        "load_scene", [](const std::string& name) { return value_of(load_scene(name)); }, nb::arg("file_or_name"),
-        "A scene by its file, or the name of one that ships.");
+        "load_scene",
+        [](const std::string& name) {
+            std::vector<std::string> notes;
+            Scene scene = value_of(load_scene(name, [&](const std::string& line) { notes.push_back(line); }));
+            for (const std::string& note : notes)
+                if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 2) != 0) throw nb::python_error();
+            return scene;
+        },
+        nb::arg("file_or_name"), "A scene by its file, a picture that holds it, or the name of one that ships.");
     m.def("parse_scene", parsed, nb::arg("text"), nb::arg("lines") = true,
           "A scene by the text of its file. lines: whether an error says the line.");
     m.def(

@@ -18,17 +18,19 @@ class Picture(np.ndarray):
     An array like any other; what is computed from it is one too, with the same scene.
     """
     scene = None   # that it is of: its exposure, bloom and tone curve
+    options = ""   # of the command line, with which capture() drew it
 
     def __array_finalize__(self, source):
         self.scene = getattr(source, "scene", None)
+        self.options = getattr(source, "options", "")
 
     def display(self) -> np.ndarray:
         """Display-encoded (bloom, exposure, tone curve, sRGB): uint8, shape (height, width, 3)."""
         return _core.displayed(*self._shown())
 
     def png(self) -> bytes:
-        """The bytes of a PNG file of display()."""
-        return _core.png(*self._shown())
+        """The bytes of a PNG file of display(), which holds the scene and the options of capture(): scene() opens it again."""
+        return _core.png(*self._shown(), self.options)
 
     def _shown(self):
         if self.scene is None or self.ndim != 3 or self.shape[2] != 3 or not self.size:
@@ -37,6 +39,15 @@ class Picture(np.ndarray):
 
     def _repr_png_(self):
         return self.png() if self.ndim == 3 and self.shape[2] == 3 and self.size and self.scene is not None else None
+
+
+def _words(options):
+    """The options of capture() as the command line has them."""
+    frame = options["frame"]
+    given = {**options, "frame": None, "context": None, "frames": None if frame is None else f"{frame}:{frame + 1}"}
+    if options["renderer"] == "reference":
+        given["method"] = None
+    return " ".join(f"--{name.replace('_', '-')} {value}" for name, value in given.items() if value is not None)
 
 
 def _options(size, **options):
@@ -60,9 +71,9 @@ def capture(scene: SceneLike, size: Size = None, *, renderer: str = "gl", method
     The first picture of a thread opens an OpenGL context, which the next ones find; forget_session() closes it.
     """
     given = _scene(scene)
-    picture = _core.capture(given, _options(size, renderer=renderer, method=method, max_error=max_error, samples=samples, time=time,
-                                            frame=frame, context=context), progress).view(Picture)
-    picture.scene = given
+    options = _options(size, renderer=renderer, method=method, max_error=max_error, samples=samples, time=time, frame=frame, context=context)
+    picture = _core.capture(given, options, progress).view(Picture)
+    picture.scene, picture.options = given, _words(options)
     return picture
 
 

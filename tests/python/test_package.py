@@ -78,6 +78,18 @@ class Pictures(Test):
             for name in ns.RAYDATA.names:
                 self.assertTrue(np.array_equal(rays[name].astype(np.float32), channels[name]), f"{renderer} {name}")
 
+    def test_a_png_holds_what_it_was_drawn_from(self):
+        file = self.folder / "drawn.png"
+        for scene, options in (("kerr", {"time": 2.0, "samples": 2}), ("sky-only", {"renderer": "reference", "samples": 1}), ("plunge", {"frame": 20})):
+            picture = ns.capture(scene, (48, 27), **options)
+            file.write_bytes(picture.png())
+            self.assertEqual(ns.scene(file), ns.scene(scene))
+            channels = self.exr(file)
+            self.assertTrue(np.array_equal(np.stack([channels[c] for c in "RGB"], axis=-1), picture), scene)
+        file.write_bytes(b"\x89PNG\r\n\x1a\n")
+        with self.assertRaisesRegex(ns.Error, "drawn.png.*cut off"):
+            ns.scene(file)
+
     def test_shown_as_png(self):
         picture = ns.capture("accretion", (64, 36))
         self.assertEqual(picture._repr_png_()[:8], b"\x89PNG\r\n\x1a\n")
