@@ -29,7 +29,9 @@ Result<std::unique_ptr<const ReferenceInputs>> load_reference_inputs(const Scene
     const auto take_notes = [&](std::vector<std::string>& notes) {
         std::ranges::move(notes, std::back_inserter(inputs->notes));
     };
-    TRY(sky, build_sky(scene.sky, assets_directory(), face));
+    SkySpec spec = scene.sky;
+    if (spec.uniform_stars > 0) spec.kind = SkyKind::kBlack;  // there is nothing but these stars
+    TRY(sky, build_sky(spec, assets_directory(), face));
     take_notes(sky->notes);
     inputs->sky = std::move(*sky);
     if (effects.contains(Effect::kFarSky)) {

@@ -108,11 +108,15 @@ Status check_light_parts(const Spacetime& spacetime, const Scene& scene) {
     if ((!falls(scene.camera) && spacetime.planar_rays()) ||
         (light.lensing && light.doppler && light.gravity && light.aberration))
         return Done{};
+    const char* part = !light.lensing   ? "light.lensing"
+                       : !light.doppler ? "light.doppler"
+                       : !light.gravity ? "light.gravity"
+                                        : "light.aberration";
     if (!spacetime.planar_rays())
-        return bad_input("a part of light is off about a rotating hole",
-                         "light.lensing, doppler, gravity and aberration on, or spin = 0");
-    return bad_input(
-        fmt::format("camera.observer = \"{}\" while a part of light is off", observer_name(scene.camera.observer)),
+        return bad_key(part, "off, but light is followed with all its parts about a rotating hole",
+                       "light.lensing, doppler, gravity and aberration on, or spin = 0");
+    return bad_key(
+        "camera.observer", fmt::format("\"{}\" while {} is off", observer_name(scene.camera.observer), part),
         "static or orbit with light.lensing, doppler, gravity or aberration = \"off\"");
 }
 

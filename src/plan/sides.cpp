@@ -13,10 +13,17 @@ namespace {
 using Faults = std::vector<SceneFault>;
 
 void check_one_side(const Spacetime& spacetime, const Scene& scene, Faults& faults) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    const auto without = [&](const std::string& key) {
+        faults.push_back({key, fmt::format("metric \"{}\" has neither discs nor bodies", spacetime.name()),
+                          "a scene without it, or another metric"});
+    };
+    if (scene.disc && !spacetime.can_have_disc()) without("disc");
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (scene.bodies[i].far)
             faults.push_back({body_section(scene, i) + ".side",
                               fmt::format("metric \"{}\" has no far side", spacetime.name()), "near, or a wormhole"});
+        if (!spacetime.can_have_bodies()) without(body_section(scene, i));
+    }
 }
 
 void check_throat(const SurfaceSpec& surface, const std::string& section, double time, Faults& faults) {

@@ -9,6 +9,7 @@
 #include "observer/eye.h"
 #include "observer/observer.h"
 #include "observer/picture_scale.h"
+#include "observer/ring_view.h"
 #include "plan/body_kind.h"
 #include "plan/medium.h"
 #include "plan/moving.h"
@@ -213,6 +214,13 @@ Faults check_scale_bar(const Scene& scene, const World& world) {
     return {};
 }
 
+// Whether the critical curve that a [zoom] is about is there.
+Faults check_zoom(const Scene& scene, const World& world) {
+    if (!scene.camera.zoom || !world) return {};
+    const auto view = ring_view(*world, scene.camera, scene.light);
+    return view ? Faults{} : one(view.error(), "zoom.depth");
+}
+
 // What moves: whether it can, and whether its light's delay is known there.
 Faults check_motion(const Scene& scene, const World& world, const std::string& metric, bool delay) {
     const auto moving = moving_parts(scene);
@@ -303,6 +311,7 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     append(faults, check_spots(scene));
     if (!faults.empty()) return faults;
     append(faults, check_scale_bar(scene, world));
+    for (const World& each : {world, other}) append(faults, check_zoom(scene, each));
     if (!faults.empty()) return faults;
     faults = check_motion(scene, world, scene.spacetime.metric, scene.light.delay);
     if (scene.split)

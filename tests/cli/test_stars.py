@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import support
+from matrix_judge import read_exr
 
 ROOT = Path(support.__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
@@ -66,6 +67,14 @@ class Stars(support.CliTest):
         (self.folder / "deep.toml").write_text('[sky]\ncatalogue = "tycho-2"\n')
         if not (ROOT / "assets/sky/stars-tycho-2.bin").exists():
             self.refused("capture", "deep.toml", "--size", "32x32", "-o", "deep.png", says=["sky.catalogue", "scripts/fetch_stars.py"])
+
+    def test_uniform_stars_are_alone(self):
+        """Behind them is nothing, by either renderer."""
+        self.write("s.toml", '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "points"\nuniform_stars = 1\nmagnitude_limit = 30\n')
+        for renderer in "gl", "reference":
+            self.run_nullscope("capture", "s.toml", "--size", "32x18", "--renderer", renderer, "-o", "s.exr")
+            light = read_exr((self.folder / "s.exr").read_bytes())
+            self.assertEqual(max(max(map(max, light[c])) for c in "RGB"), 0, renderer)
 
 
 if __name__ == "__main__":

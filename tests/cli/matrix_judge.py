@@ -1,0 +1,139 @@
+"""What must hold of the files of one scene: tests/cli/test_matrix.py."""
+import math
+import struct
+import zlib
+
+import support
+
+COLOURS = "RGB"
+
+
+def read_exr(data):
+    """The channels of a single-part ZIP EXR of floats and half floats: name -> rows of values."""
+    kinds, (width, height), at = support.exr_header(data)
+    sizes = [2 if kind == 1 else 4 for _, kind in kinds]
+    channels = {name: [] for name, _ in kinds}
+    at += 8 * -(-height // 16)
+    for top in range(0, height, 16):
+        rows = min(16, height - top)
+        (length,) = struct.unpack("<i", data[at + 4:at + 8])
+        packed = data[at + 8:at + 8 + length]
+        at += 8 + length
+        whole = width * rows * sum(sizes)
+        if length < whole:   # as OpenEXR's ZIP: differences, of even and odd bytes
+            plain = bytearray(zlib.decompress(packed))
+            for i in range(1, len(plain)):
+                plain[i] = (plain[i - 1] + plain[i] - 128) & 255
+            half = (len(plain) + 1) // 2
+            packed = bytearray(len(plain))
+            packed[0::2], packed[1::2] = plain[:half], plain[half:]
+        place = 0
+        for _ in range(rows):
+            for (name, _), size in zip(kinds, sizes):
+                channels[name].append(struct.unpack_from(f"<{width}{'e' if size == 2 else 'f'}", packed, place))
+                place += width * size
+    return channels
+
+
+def finite(channels, what):
+    """No value is NaN or infinite, and no light negative."""
+    wrong = [f"{what}: {name} is not finite" for name, rows in channels.items() if not all(math.isfinite(v) for row in rows for v in row)]
+    lights = [name for name in channels if name in COLOURS or name.endswith((".R", ".G", ".B", ".A"))]
+    return wrong + [f"{what}: {name} is negative, {min(map(min, channels[name])):g}" for name in lights if min(map(min, channels[name])) < 0]
+
+
+def same(a, b, what, names=COLOURS):
+    different = sum(x != y for name in names for p, q in zip(a[name], b[name]) for x, y in zip(p, q))
+    return [f"{what}: {different} values differ from the picture alone"] if different else []
+
+
+def around(rows, x, y):
+    """Values of a pixel and its neighbours."""
+    return [row[i] for row in rows[max(0, y - 1):y + 2] for i in range(max(0, x - 1), min(len(row), x + 2))]
+
+
+# A pixel is right where it is as bright as the exact one, or between that one's neighbours: edges may be anywhere within a pixel, and
+# textures are averaged over a pixel by the shader, and looked at in its middle by the reference.
+SLACK = 0.03         # of the brightest exact pixel, and of the pixel itself
+OUTLIERS = 0.03      # share of the pixels: images thinner than a pixel, which the shader widens and the reference meets or misses
+BIAS = 0.02          # of the mean light of all pixels, beside what edges may add: each by chance up to a half of its height
+
+
+def pictures_agree(got, exact, what, slack=SLACK, outliers=OUTLIERS, bias=BIAS):
+    wrong = []
+    most = max(1e-3, *(max(map(max, exact[c])) for c in COLOURS))
+    for c in COLOURS:
+        rows, off, edges = exact[c], 0, 0.0
+        for y, row in enumerate(got[c]):
+            for x, value in enumerate(row):
+                near = around(rows, x, y)
+                low, high = min(near), max(near)
+                edges += (high - low) ** 2
+                off += abs(value - rows[y][x]) > slack * max(rows[y][x], 0.3 * most) and not low - slack * most <= value <= high + slack * most
+        size = len(rows) * len(rows[0])
+        sum_, other = sum(map(sum, rows)), sum(map(sum, got[c]))
+        if off > outliers * size:
+            wrong.append(f"{what}: {off} of {size} pixels of {c} are off")
+        if abs(other - sum_) > bias * sum_ + 1.5 * math.sqrt(edges) * 0.5 + 1e-3 * most * size:
+            wrong.append(f"{what}: the sum of {c} is {other:.5g}, exact {sum_:.5g}, by edges {math.sqrt(edges):.3g}")
+    return wrong
+
+
+def sums_agree(got, exact, what, most=2.5):
+    """Where the sky has more in it than the pixels show: all light, to a factor."""
+    sums = {c: (sum(map(sum, got[c])), sum(map(sum, exact[c]))) for c in COLOURS}
+    return [f"{what}: the sum of {c} is {a:.5g}, exact {b:.5g}" for c, (a, b) in sums.items() if not b / most <= a <= b * most]
+
+
+def numbers_agree(got, exact, name, what, outliers=OUTLIERS):
+    """Whole numbers of pixels (fate, hit): equal, or as a neighbour of the exact one."""
+    off = [(x, y) for y, row in enumerate(got[name]) for x, value in enumerate(row)
+           if value != exact[name][y][x] and value not in around(exact[name], x, y)]
+    size = len(got[name]) * len(got[name][0])
+    return [f"{what}: {name} of {len(off)} of {size} pixels is off, as {got[name][off[0][1]][off[0][0]]:g} instead of "
+            f"{exact[name][off[0][1]][off[0][0]]:g} at {off[0]}"] if len(off) > outliers * size else []
+
+
+def values_agree(got, exact, names, where, most, what, outliers=0.08):
+    """Of the pixels that `where` chooses, all but a share of outliers are within `most`."""
+    errors = [max(abs(got[name][y][x] - exact[name][y][x]) for name in names)
+              for y, row in enumerate(got[names[0]]) for x in range(len(row)) if where(x, y)]
+    off = [e for e in errors if not e <= most]
+    return [f"{what}: {'/'.join(names)} of {len(off)} of {len(errors)} pixels is off, by up to {max(off):.3g}"] if len(off) > 1 + outliers * len(errors) else []
+
+
+def rays_agree(got, exact, what):
+    wrong = numbers_agree(got, exact, "fate", what) + numbers_agree(got, exact, "hit", what)
+    both = lambda name: lambda x, y: got[name][y][x] == exact[name][y][x]
+    free = lambda x, y: got["fate"][y][x] in (0, 2) and exact["fate"][y][x] == got["fate"][y][x]
+    met = lambda x, y: got["hit"][y][x] == exact["hit"][y][x] != 0
+    wrong += values_agree(got, exact, ["sky.x", "sky.y", "sky.z"], free, 2e-3, what)
+    wrong += values_agree(got, exact, ["u", "v", "w"], met, 0.02, what)
+    wrong += values_agree(got, exact, ["g"], lambda x, y: free(x, y) and got["hit"][y][x] == 0, 2e-3, what)
+    delayed = any(v for row in got["delay"] for v in row)
+    if delayed:
+        wrong += values_agree(got, exact, ["delay"], lambda x, y: met(x, y) or (free(x, y) and got["hit"][y][x] == 0), 0.05, what)
+    return wrong
+
+
+def layers_add_up(got, what):
+    """R, G and B are those of the layers together."""
+    names = sorted({name.rsplit(".", 1)[0] for name in got if name.endswith(".R")})
+    worst = 0.0
+    for c in COLOURS:
+        for y, row in enumerate(got[c]):
+            for x, value in enumerate(row):
+                worst = max(worst, abs(value - sum(got[f"{name}.{c}"][y][x] for name in names)) / max(1.0, value))
+    return [f"{what}: {', '.join(names)} differ from the picture by {worst:.3g}"] if worst > 1e-5 else []
+
+
+def halves(got, picture):
+    """The picture to three digits, and 65504 where it is brighter."""
+    off = sum(abs(a - min(b, 65504.0)) > max(1e-7, 6e-4 * b) for c in COLOURS for p, q in zip(got[c], picture[c]) for a, b in zip(p, q))
+    return [f"--half: {off} values are off"] if off else []
+
+
+def maps_agree(got, exact, what):
+    sky = lambda x, y: got["B"][y][x] == 1 == exact["B"][y][x] and abs(exact["R"][y][x]) < 10 and abs(exact["G"][y][x]) < 10
+    return finite({name + ".": rows for name, rows in got.items()}, what) + numbers_agree(got, exact, "B", what) + \
+        values_agree(got, exact, ["R", "G"], sky, 5e-3, what)
