@@ -7,18 +7,16 @@
 #include <optional>
 #include <vector>
 
-#include "base/assets.h"
 #include "base/atomic_file.h"
 #include "base/progress.h"
 #include "cli/command.h"
 #include "command/arguments.h"
+#include "command/capture_picture.h"
 #include "command/curve_plot.h"
 #include "command/session.h"
 #include "plan/moving.h"
-#include "reference/reference.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
-#include "sky/sky.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 
@@ -84,21 +82,22 @@ std::string svg_of(const Scene& scene, const std::vector<Sample>& curve) {
 Result<std::vector<Sample>> curve_of(const LightcurveOptions& options, Scene scene, double from, double to,
                                      const std::vector<int>& region) {
     std::optional<Session> session;
-    std::optional<SkyCube> sky;
+    std::optional<PictureDrawer> exact;
     if (options.renderer == "gl") {
         TRY(opened, open_session(options.context));
         session = std::move(*opened);
     } else {
-        if (scene.disc && scene.disc->material.texture == TextureKind::kImage &&
-            effect_set(required_effects(scene)).contains(Effect::kDiscImage))
-            return bad_input("--renderer reference draws light curves of scenes without images",
-                             "gl, or another disc.texture");
-        constexpr int kSkyFace = 256;
-        TRY(built, build_sky(scene.sky, assets_directory(), kSkyFace));
-        sky = std::move(*built);
+        DrawOptions each;
+        each.samples = options.samples.value_or(1);
+        each.listener.progress = [](const std::string&, long long) { return Advance([](long long) {}); };
+        TRY(drawer, picture_drawer(nullptr, scene, each));
+        exact = std::move(*drawer);
     }
     const auto picture_of = [&]() -> Result<Image<float>> {
-        if (sky) return reference::render_frame(scene, *sky, {}, options.samples.value_or(1), {}, nullptr, {});
+        if (exact) {
+            TRY(drawn, (*exact)(scene));
+            return std::move(drawn->linear);
+        }
         TRY(ready, session->renderer->prepare(scene));
         return session->renderer->picture();
     };

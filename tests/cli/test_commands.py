@@ -290,6 +290,25 @@ class Commands(support.CliTest):
         self.run_nullscope("capture", "first-light", *options, "-o", "r.png")
         self.assertEqual(png_size((self.folder / "r.png").read_bytes()), (16, 9))
 
+    def test_light_curves_of_both_renderers_have_all_that_shines(self):
+        """Images on discs and bodies, stars, and the sky behind a wormhole."""
+        moving = '[[ball]]\nradius = 1\nposition = [0, 4, 0]\nbrightness = 2\ntexture = "image"\nimage = "white.png"\n'
+        self.run_nullscope("capture", self.write("white.toml", '[sky]\nkind = "plain"\ncolour = [9, 9, 9]\n[spacetime]\nmetric = "minkowski"\n'),
+                           "--size", "16x9", "-o", "white.png")
+        scenes = {"stars": '[sky]\nkind = "points"\nuniform_stars = 300\nmagnitude_limit = -2\n[disc]\n' + moving +
+                           'motion = "path"\nx = "0"\ny = "5 + sin(t)"\nz = "0"\n',
+                  "far": '[spacetime]\nmetric = "ellis"\nthroat = 3\n[sky]\nkind = "black"\n[far_sky]\nkind = "image"\nimage = "white.png"\n[light]\ndelay = "off"\n'
+                         '[[surface]]\nshape = "length(x - 6, y - 4, z - 0.1*t) - 0.5"\n'}
+        for name, text in scenes.items():
+            self.write(f"{name}.toml", text)
+            sums = {}
+            for renderer in "gl", "reference":
+                self.run_nullscope("lightcurve", f"{name}.toml", "--size", "64x36", "--from", "0", "--to", "5", "--steps", "2", "--renderer", renderer,
+                                   "-o", renderer)
+                lines = (self.folder / f"{renderer}.csv").read_text().split("\n")
+                sums[renderer] = sum(float(line.split(",")[1]) for line in lines[2:4])
+            self.assertAlmostEqual(sums["gl"] / sums["reference"], 1, delta=0.05, msg=name)
+
     def test_contexts_give_one_picture(self):
         kinds = self.contexts()
         pictures, rays = [], []
