@@ -8,7 +8,7 @@ build=(g++ cmake ninja-build pkg-config python3 python3-glad libfast-float-dev l
        libgl-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev libboost-dev libopenexr-dev
        libpng-dev libjpeg-dev libcfitsio-dev libfreetype-dev libssl-dev doctest-dev)
 run=(libegl1 libgl1 libgl1-mesa-dri fonts-dejavu-core)
-test=(xvfb xauth xdotool)
+test=(xvfb xauth xdotool python3-allpairspy)
 # scripts/release.sh: packages
 package=(dpkg-dev file lintian patchelf)
 # scripts/docs.sh: the documentation as a site

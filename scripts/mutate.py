@@ -30,6 +30,7 @@ LIMB = ("gpu_tests", "limb darkening*")
 GAS = ("gpu_tests", "disc gas*")
 GAS_LAW = ("unit_tests", "disc gas*")
 LINE = ("unit_tests", "line profile*")
+MATRIX = ("cli", "test_matrix.py")
 
 
 class Mutant(NamedTuple):
@@ -209,6 +210,13 @@ MUTANTS = [Mutant(*row) for row in [
      "((1 - s) * a + s * b) / std::sqrt(s * s + (1 - s) * (1 - s))", "(1 - s) * a + s * b", GAS_LAW),
     ("gas-seam", "the last cell of a ring of gas does not meet the first", "src/reference/noise_ring.h",
      "value((first + 1) % cells_)", "value(first + 1 < cells_ ? first + 1 : first)", GAS),
+    ("matrix-switch", "beaming that cannot be switched off about a rotating hole", "src/plan/light_features.cpp",
+     "return heat_if(f, f.scene.light.beaming);", "return heat_if(f, f.scene.light.beaming || !f.planar);", MATRIX),
+    ("matrix-layer", "no layer of the disc's second image", "src/render/picture_layers.cpp",
+     'add("disc1", PictureLayer::kDisc1, shares, 1);', "", MATRIX),
+    ("matrix-kind", "no disc in fisheyes", "src/plan/disc_features.cpp",
+     "if (!f.scene.disc) return kNot;\n             return fmt::format(\"[disc] from",
+     "if (!f.scene.disc || f.scene.camera.projection == Projection::kFisheye) return kNot;\n             return fmt::format(\"[disc] from", MATRIX),
 ]]
 
 

@@ -52,31 +52,45 @@ def around(rows, x, y):
     return [row[i] for row in rows[max(0, y - 1):y + 2] for i in range(max(0, x - 1), min(len(row), x + 2))]
 
 
-# A pixel is right where it is as bright as the exact one, or between that one's neighbours: edges may be anywhere within a pixel, and
-# textures are averaged over a pixel by the shader, and looked at in its middle by the reference.
-SLACK = 0.03         # of the brightest exact pixel, and of the pixel itself
+# Within a thing a pixel is as bright as the exact one; at edges, or where there is more in a pixel than one ray shows, it may have any
+# brightness of the exact one's neighbours: the shader covers parts of pixels and averages textures, the reference looks in the middle.
+SLACK = 0.03         # of the pixel itself
+GROUND = 0.006       # of the brightest pixel
 OUTLIERS = 0.03      # share of the pixels: images thinner than a pixel, which the shader widens and the reference meets or misses
 BIAS = 0.02          # of the mean light of all pixels, beside what edges may add: each by chance up to a half of its height
 
 
-def pictures_agree(got, exact, what, slack=SLACK, outliers=OUTLIERS, bias=BIAS):
+def inner_pixels(exact, smooth_sky=True):
+    """Whether a pixel and its neighbours show the same thing, and one that is even over a pixel: of a picture with ray data."""
+    def inner(x, y):
+        return all(len(set(around(exact[name], x, y))) == 1 for name in ("fate", "hit", "order")) and (smooth_sky or exact["hit"][y][x] > 0)
+    return inner
+
+
+def pictures_agree(got, exact, what, inner=lambda x, y: False):
     wrong = []
     most = max(1e-3, *(max(map(max, exact[c])) for c in COLOURS))
     for c in COLOURS:
         rows, off, edges = exact[c], 0, 0.0
         for y, row in enumerate(got[c]):
             for x, value in enumerate(row):
-                near = around(rows, x, y)
+                near = [rows[y][x]] if inner(x, y) else around(rows, x, y)
                 low, high = min(near), max(near)
                 edges += (high - low) ** 2
-                off += abs(value - rows[y][x]) > slack * max(rows[y][x], 0.3 * most) and not low - slack * most <= value <= high + slack * most
+                off += not (1 - SLACK) * low - GROUND * most <= value <= (1 + SLACK) * high + GROUND * most
         size = len(rows) * len(rows[0])
         sum_, other = sum(map(sum, rows)), sum(map(sum, got[c]))
-        if off > outliers * size:
+        if off > OUTLIERS * size:
             wrong.append(f"{what}: {off} of {size} pixels of {c} are off")
-        if abs(other - sum_) > bias * sum_ + 1.5 * math.sqrt(edges) * 0.5 + 1e-3 * most * size:
+        if abs(other - sum_) > BIAS * sum_ + 0.75 * math.sqrt(edges) + 1e-3 * most * size:
             wrong.append(f"{what}: the sum of {c} is {other:.5g}, exact {sum_:.5g}, by edges {math.sqrt(edges):.3g}")
     return wrong
+
+
+def is_seen(got, without):
+    """Whether four pixels of a picture differ from the one without a thing."""
+    most = max(1e-3, *(max(map(max, got[c])) for c in COLOURS))
+    return max(sum(abs(a - b) > 0.01 * most for p, q in zip(got[c], without[c]) for a, b in zip(p, q)) for c in COLOURS) >= 4
 
 
 def sums_agree(got, exact, what, most=2.5):
