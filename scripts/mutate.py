@@ -214,9 +214,8 @@ MUTANTS = [Mutant(*row) for row in [
      "return heat_if(f, f.scene.light.beaming);", "return heat_if(f, f.scene.light.beaming || !f.planar);", MATRIX),
     ("matrix-layer", "no layer of the disc's second image", "src/render/picture_layers.cpp",
      'add("disc1", PictureLayer::kDisc1, shares, 1);', "", MATRIX),
-    ("matrix-kind", "no disc in fisheyes", "src/plan/disc_features.cpp",
-     "if (!f.scene.disc) return kNot;\n             return fmt::format(\"[disc] from",
-     "if (!f.scene.disc || f.scene.camera.projection == Projection::kFisheye) return kNot;\n             return fmt::format(\"[disc] from", MATRIX),
+    ("matrix-kind", "no hot spots in fisheyes", "shaders/object/spot.glsl",
+     "if (profile < 1.0e-6)", "if (profile < 1.0e-6 || frame.projection.x == 1.0)", MATRIX),
 ]]
 
 
