@@ -5,10 +5,7 @@ import struct
 import zlib
 
 WORMHOLES = ("ellis", "dneg")
-STARS = ("neutron-star",)
 FORMULAS = ("hayward", "kottler", "formula-abr")
-SPHERICAL = ("schwarzschild", "charged", *FORMULAS)
-DISCS = ("minkowski", "schwarzschild", "charged", "kerr", "kerr-newman", "hayward", "kottler")
 
 METRICS = {
     "minkowski": {"metric": "minkowski"},
@@ -165,6 +162,11 @@ def write_files(folder, assets):
     nodes = [(-1 + 2 * s / 8, -1 + 2 * t / 8) for t in range(9) for s in range(9)]
     (folder / "bent.data").write_text("2\n9 9\n" + "".join(
         f"{x * 16 / 9:.6f} {y} {0.5 + 0.5 * x * (1 - 0.1 * y * y):.6f} {0.5 + 0.5 * y * (1 - 0.1 * x * x):.6f} 1\n" for x, y in nodes))
+
+
+def is_rough(row):
+    """Whether a thing has a pattern; a neutron star has."""
+    return row["thing"] in ROUGH_THINGS or row["metric"] == "neutron-star"
 
 
 def things(*beginnings):

@@ -134,7 +134,7 @@ class Matrix(support.CliTest):
         wrong = judge.finite(picture, "picture")
         if row["sky"] in scenes.COARSE:
             wrong += judge.sums_agree(picture, exact, "picture")
-        elif alone or row["thing"] in scenes.ROUGH_THINGS:
+        elif alone or scenes.is_rough(row):
             wrong += judge.pictures_agree(picture, exact, "picture")
         else:
             inner = judge.inner_pixels(exact, row["sky"] not in scenes.ROUGH_SKIES)
