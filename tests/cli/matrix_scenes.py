@@ -185,7 +185,7 @@ ALL = set(METRICS)
 REFUSED = [
     ({"metric": NO_OBJECTS, "thing": set(THINGS) - {"none"}}, r"neither discs nor bodies|no matter along rays|is not known in|no far side|no circular orbit"),
     ({"metric": ALL - set(WORMHOLES), "thing": {"ball-beyond"}}, "has no far side"),
-    ({"thing": {"ball-beyond"}, "extra": {"split-metric", "split-flat"}}, "has no far side"),
+    ({"thing": {"ball-beyond"}, "extra": SPLITS}, "has no far side"),
     ({"metric": ALL - {"kerr", "minkowski"}, "thing": {"matter-grid"}}, "its matter is about a hole|no matter along rays"),
     ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MATTER_THINGS}, "no matter along rays"),
     ({"metric": set(WORMHOLES), "thing": things("disc") | {"spot"}}, "no discs in a wormhole"),
