@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -84,6 +85,14 @@ struct Inputs {
     std::vector<PointStar> stars;
 };
 
+// A zoom leaves stars as bright as they are without it (render/frame_numbers.cpp).
+std::vector<PointStar> stars_of(const Inputs& inputs, const Scene& scene) {
+    std::vector<PointStar> stars = inputs.stars;
+    if (!scene.camera.zoom) return stars;
+    for (PointStar& star : stars) star.flux *= std::exp(-2.0 * scene.camera.zoom->depth);
+    return stars;
+}
+
 Result<Captured> capture_reference(const Inputs& inputs, const Exposure& shown, const DrawOptions& options) {
     const Scene& scene = shown.scene;
     Captured captured;
@@ -93,7 +102,7 @@ Result<Captured> capture_reference(const Inputs& inputs, const Exposure& shown, 
         TRY(image, mean_light(shown, [&](const Scene& each) {
                 return reference::render_frame(each, inputs.loaded->sky, inputs.loaded->pictures(each),
                                                options.samples.value_or(kSamples), advance, inputs.loaded->far(),
-                                               inputs.stars);
+                                               stars_of(inputs, each));
             }));
         captured.linear = std::move(*image);
     }
