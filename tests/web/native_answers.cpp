@@ -32,7 +32,7 @@ namespace {
 // As answers_of() of tests/web/test_answers.py asks core.wasm.
 void print_answers(const std::string& text, int texels) {
     const auto said = [](bool good) { return fmt::format("[{}, {}]", good, in_json(answer())); };
-    const bool opened = open_scene(text.data(), text.size(), "scene.toml", 10);
+    const bool opened = ::open_scene(text.data(), text.size(), "scene.toml", 10);
     std::vector<std::string> answers{said(opened)};
     if (opened)
         for (const auto& ask : {scene_as_line, plan}) answers.push_back(said(ask()));
