@@ -119,7 +119,7 @@ void measure(GpuSession& session, const DrawnLaw& law, const LimbDarkeningView& 
     constexpr double kCosine = 1e-5;  // of a cosine, where the law tells it: as g's promise
     constexpr double kSlant = 0.02;   // below it the cosine's own error is measured by the light alone
     // And what 1e-5 of the cosine makes of it at a slant: three times as much at most, and of g.
-    constexpr double kLight = kFit + 5e-5;
+    constexpr double kSameLight = kFit + 5e-5;
     Scene scene = scene_of(view);
     REQUIRE(session.renderer->prepare(scene));
     const Image<float> picture = session.renderer->picture();
@@ -156,7 +156,7 @@ void measure(GpuSession& session, const DrawnLaw& law, const LimbDarkeningView& 
         CAPTURE(view.theta_deg);
         CAPTURE(r);
         CAPTURE(cosine);
-        CHECK(error <= kLight);
+        CHECK(error <= kSameLight);
         worst.light = std::max(worst.light, error);
         worst.least = std::min(worst.least, cosine);
         ++worst.pixels;
