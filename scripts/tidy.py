@@ -42,10 +42,10 @@ def commands():
     return found
 
 
-def generated(files):
-    """Builds what these files include and is made by the build."""
-    if any("src/shadercore" in str(file) for file in files):
-        subprocess.run(["cmake", "--build", BUILD, "--target", "nullscope_core_texts"], check=True, stdout=sys.stderr)
+def generate():
+    """What the build makes and files include: the shader core's text and uniform block, OpenGL's functions."""
+    targets = ["nullscope_core_texts", "glad/include/glad/gl.h"]
+    subprocess.run(["cmake", "--build", BUILD, "--target", *targets], check=True, stdout=subprocess.DEVNULL)
 
 
 def groups_of(files, known, most):
@@ -121,7 +121,8 @@ def main():
     chosen = [file for file in files if file in known]
     if words and words[0] != "--since" and len(chosen) < len(files):
         sys.exit(f"tidy: not compiled here: {' '.join(str(file) for file in files if file not in known)}")
-    generated(chosen)
+    if chosen:
+        generate()
     found = look(chosen, known, 1 if words and len(chosen) <= ALONE else GROUP)
     print("\n".join(line.replace(f"{ROOT}/", "") for line in found), end="\n" if found else "")
     print(f"tidy: {len(found)} findings in {len(chosen)} files", file=sys.stderr)

@@ -170,7 +170,7 @@ bool MemoryStream::read(char* to, int count) {
 }
 
 Status check_exr_part(const Imf::Header& header, long long channels, std::size_t file_bytes, long long max_pixels) {
-    const Imath::Box2i window = header.dataWindow();
+    const Imath::Box2i& window = header.dataWindow();
     const long long width = static_cast<long long>(window.max.x) - window.min.x + 1;
     const long long height = static_cast<long long>(window.max.y) - window.min.y + 1;
     if (width <= 0 || height <= 0 || width > kMaxSide || height > kMaxSide || width * height > max_pixels ||

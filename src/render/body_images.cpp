@@ -23,6 +23,7 @@ Status PictureTexture::update(const std::filesystem::path& wanted, const ImageLi
     file = wanted, width = fitted->image.width, height = fitted->image.height;
     const std::vector<HalfLevel> levels = half_levels(std::move(fitted->image));
     std::vector<gl::HalfTexels> texels;
+    texels.reserve(levels.size());
     for (const HalfLevel& level : levels) texels.push_back({level.width, level.height, level.rgba.data()});
     texture = gl::make_picture_texture(texels);
     return Done{};
