@@ -180,7 +180,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("medium-field", "the field's direction is that of who does not go with the matter", "shaders/medium/emission.glsl",
      "synchrotron(matter, seen,", "synchrotron(matter, light_way,", ("gpu_tests", "medium: matter*")),
     ("medium-kirchhoff", "absorption by Rayleigh and Jeans", "shaders/medium/synchrotron.glsl",
-     "return t * (x < 0.02 ? low : high);", "return t;", ("gpu_tests", "medium: closed*")),
+     "return log2(t) + (x < 0.02 ? low : high);", "return log2(t);", ("gpu_tests", "medium: closed*")),
     ("list-next", "of a list's rays the first four crossings again", "shaders/stage/ray_list.glsl",
      "frame.disc_surface.w = float(listed_first);", "frame.disc_surface.w = 0.0;", ("cli", "test_trace.py")),
     ("list-meridian", "a list's rays in the first one's meridian", "src/render/light_path.cpp",
