@@ -41,7 +41,8 @@ float spin_fine(SpinState from, float more, float to) { return 0.0; }
 vec4 spin_moved(SpinState from, vec4 more) { return from.y + more; }
 #endif
 
-#define FINE_AZIMUTH_FROM 0.25   // of the horizon's 1/r: from here on a step's own sum of psi' loses digits
+#define FINE_AZIMUTH_FROM 0.45   // of the horizon's 1/r: where a step ends beyond it, its own sum of psi' loses digits
+#define FINE_AZIMUTH_FAST 0.5    // zeta'^2 over X^2, which is 1 at the horizon and 0 where a ray turns
 
 #ifndef METHOD_MINO_4
 // One step of RKN6(4)6FM (Dormand, El-Mikkawy and Prince 1987): five new forces, the sixth is the next step's first.
@@ -94,8 +95,9 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
                              spin_turning(ray, from, y2.w) * (275.0 / 684.0) + spin_turning(ray, from, y3.w) * (275.0 / 252.0) -
                              spin_turning(ray, from, y4.w) * (78125.0 / 112404.0) + to.drag * (1.0 / 12.0));
 #ifdef NEEDS_FINE_AZIMUTH
-    // Inward, where phi winds up: what is left of it is regular at the horizon.
-    bool inward = from.v.w > 0.0 && to.v.w > 0.0 && ray.outer * to.y.w > FINE_AZIMUTH_FROM;
+    // Into the horizon, where phi winds up: what is left of it is regular there. Not of rays that turn, whose neighbours would be summed otherwise.
+    float fine_x = spin_x(ray, to.y.w);
+    bool inward = from.v.w > 0.0 && to.v.w > 0.0 && ray.outer * to.y.w > FINE_AZIMUTH_FROM && to.v.w * to.v.w > FINE_AZIMUTH_FAST * fine_x * fine_x;
     float wound = from.psi + spin_winding(ray, from.y.w) - spin_winding(ray, to.y.w) +
                   h * (spin_inward_turning(ray, from.y.w) * (151.0 / 2142.0) + spin_inward_turning(ray, y1.w) * (25.0 / 522.0) +
                        spin_inward_turning(ray, y2.w) * (275.0 / 684.0) + spin_inward_turning(ray, y3.w) * (275.0 / 252.0) -
