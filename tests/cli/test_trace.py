@@ -144,8 +144,11 @@ class Reference(TraceTest):
                 root = math.sqrt(0.5 / r ** 3)
                 g = number(row["g"]) * math.sqrt(1 - 1.5 / r + 2 * a * root) / (1 + a * root - root * l_z)
                 self.assertAlmostEqual(number(row["g_1"]) / g, 1, delta=1e-11)
-        without = self.write("no-discs.toml", '[spacetime]\nmetric = "janis-newman-winicour"\n[disc]\nemission = "thermal"\n')
+        bare = '[spacetime]\nmetric = "janis-newman-winicour"\n'
+        without = self.write("no-discs.toml", bare)
         self.assertNotIn("g_1", self.trace(rays, "--crossings", "1", scene=without)[0])
+        self.write("no-discs.toml", bare + '[disc]\nemission = "thermal"\n')
+        self.refused("trace", without, "--rays", "rays.csv", says=["no-discs.toml:3", "disc", "neither discs nor bodies"])
 
     def test_forms_of_files(self):
         plain = "r,theta,phi,n_r,n_theta,n_phi\n20,1.2,0.1,-1,0.05,0.3\n"
