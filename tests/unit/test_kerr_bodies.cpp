@@ -463,7 +463,11 @@ double cost_of_looking(const Kind& kind) {
 }
 
 TEST_CASE("kerr bodies: what looking for them costs") {
-    constexpr double kMost = 8;  // 1.4 to 3.2 measured
+#ifdef NULLSCOPE_SANITIZED
+    MESSAGE("not measured: sanitizers cost the two kinds of code differently");
+    return;
+#endif
+    constexpr double kMost = 12;  // 1.9 to 6.8 measured, of rays that have become nine times as cheap
     for (const Kind& kind : kKinds) {
         CAPTURE(std::string(kind.name));
         CHECK(cost_of_looking(kind) < kMost);
