@@ -272,7 +272,7 @@ Scene section_defaults(const Scene& holder, std::string_view section) {
 std::string degrees_text(double radians) {
     const auto read = [](double d) { return d * std::numbers::pi / 180.0; };
     const double guess = radians * 180.0 / std::numbers::pi;
-    if (const auto text = shortest(radians, guess, read)) return *text;
+    if (const auto text = exact_degrees(radians)) return *text;
     return shortest(read(guess), guess, read).value_or(fmt::format("{}", guess));
 }
 

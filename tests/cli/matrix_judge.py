@@ -1,38 +1,7 @@
 """What must hold of the files of one scene: tests/cli/test_matrix.py."""
 import math
-import struct
-import zlib
-
-import support
 
 COLOURS = "RGB"
-
-
-def read_exr(data):
-    """The channels of a single-part ZIP EXR of floats and half floats: name -> rows of values."""
-    kinds, (width, height), at = support.exr_header(data)
-    sizes = [2 if kind == 1 else 4 for _, kind in kinds]
-    channels = {name: [] for name, _ in kinds}
-    at += 8 * -(-height // 16)
-    for top in range(0, height, 16):
-        rows = min(16, height - top)
-        (length,) = struct.unpack("<i", data[at + 4:at + 8])
-        packed = data[at + 8:at + 8 + length]
-        at += 8 + length
-        whole = width * rows * sum(sizes)
-        if length < whole:   # as OpenEXR's ZIP: differences, of even and odd bytes
-            plain = bytearray(zlib.decompress(packed))
-            for i in range(1, len(plain)):
-                plain[i] = (plain[i - 1] + plain[i] - 128) & 255
-            half = (len(plain) + 1) // 2
-            packed = bytearray(len(plain))
-            packed[0::2], packed[1::2] = plain[:half], plain[half:]
-        place = 0
-        for _ in range(rows):
-            for (name, _), size in zip(kinds, sizes):
-                channels[name].append(struct.unpack_from(f"<{width}{'e' if size == 2 else 'f'}", packed, place))
-                place += width * size
-    return channels
 
 
 def finite(channels, what):

@@ -6,7 +6,6 @@ import re
 import struct
 
 import support
-from test_layers import read_floats
 
 RING = '[camera]\nr = 1e4\ntheta = 90\nfov = 0.06\nsize = [320, 320]\n[sky]\nkind = "plain"\ncolour = [1, 1, 1]\n[object]\nname = "%s"\n'
 FLOW = """[spacetime]
@@ -63,7 +62,7 @@ class Fits(support.CliTest):
     def test_the_light_is_the_exr_s(self):
         cards, planes = self.fits("m87", "--size", "64x36")
         self.run_nullscope("capture", "m87", "--size", "64x36", "-o", "a.exr")
-        exr = read_floats((self.folder / "a.exr").read_bytes())
+        exr = support.read_exr((self.folder / "a.exr").read_bytes())
         self.assertEqual((cards["BITPIX"], cards["NAXIS"], cards["CTYPE3"], cards["BUNIT"]), (-32, 3, "RGB", ""))
         for plane, channel in zip(planes, "RGB"):
             flux, meant = (sum(map(math.fsum, rows)) for rows in (plane, exr[channel]))
@@ -167,7 +166,7 @@ class Profiles(support.CliTest):
     def test_values_are_the_picture_s(self):
         size = ("--size", "64x36")
         self.run_nullscope("capture", "first-light", *size, "-o", "a.exr")
-        exr = read_floats((self.folder / "a.exr").read_bytes())
+        exr = support.read_exr((self.folder / "a.exr").read_bytes())
         self.run_nullscope("profile", "first-light", *size, "--through", "3.5,10.5", "-o", "row")
         rows = table(self.folder / "row.csv")
         self.assertEqual([row["x"] for row in rows], [x + 0.5 for x in range(64)])
@@ -184,7 +183,7 @@ class Profiles(support.CliTest):
         size = ("--size", "16x9")
         scene = self.write("slope.toml", '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "formula"\nformula = "0.5 + 0.4 * y + 0.3 * z * z"\n')
         self.run_nullscope("capture", scene, *size, "-o", "a.exr")
-        red = read_floats((self.folder / "a.exr").read_bytes())["R"]
+        red = support.read_exr((self.folder / "a.exr").read_bytes())["R"]
         self.run_nullscope("profile", scene, *size, "--angle", "45", "--through", "8,5.3", "--steps", "7", "-o", "slant")
         rows = table(self.folder / "slant.csv")
         for row in rows[1:-1]:     # linear between the centres of four pixels

@@ -5,7 +5,6 @@ import struct
 import zlib
 
 import support
-from test_layers import read_floats
 import test_image_light
 from test_image_light import attribute, exr, grey, hdr, linear, plain_exr, png, rgb
 
@@ -99,7 +98,7 @@ class ImageFiles(support.CliTest):
         for name, value in (("a.exr", 0.4), ("a.png", half * linear(40000 / 65535))):
             self.write("d.toml", '[spacetime]\nmetric = "minkowski"\n[camera]\nr = 30.0\ntheta = 5.0\nfov = 10\n[sky]\nkind = "black"\n' + disc.format(name))
             self.run_nullscope("capture", "d.toml", "--size", "8x4", "-o", "d.exr")
-            got = read_floats((self.folder / "d.exr").read_bytes())
+            got = support.read_exr((self.folder / "d.exr").read_bytes())
             self.near([got[c][0][0] for c in "RGB"], (value,) * 3)
         ball = '[ball]\nposition = [10, 0, 0]\nradius = 8\ntexture = "image"\nimage = "a.png"\n'
         self.grey_is("black.exr", linear(40000 / 65535), ["a.png", "alpha"], more=ball)

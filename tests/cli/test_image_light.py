@@ -7,7 +7,6 @@ import struct
 import zlib
 
 import support
-from test_layers import read_floats
 
 TOLERANCE = 1e-3   # relative: half a step of a half float is 4.9e-4, and weights of a software driver's filter have 8 bits
 
@@ -85,28 +84,12 @@ def linear(code):
 FLAT = '[spacetime]\nmetric = "minkowski"\n[camera]\nr = 30.0\ntheta = 90.0\nfov = {fov}\n'
 
 
-def halves(path):
-    """The numbers of an EXR of half floats of at most 16 rows, ZIP."""
-    data = path.read_bytes()
-    kinds, (width, height), at = support.exr_header(data)
-    length = struct.unpack("<i", data[at + 12:at + 16])[0]
-    packed = data[at + 16:at + 16 + length]
-    if length < 2 * len(kinds) * width * height:
-        plain = bytearray(zlib.decompress(packed))
-        for i in range(1, len(plain)):
-            plain[i] = (plain[i - 1] + plain[i] - 128) & 255
-        middle = (len(plain) + 1) // 2
-        packed = bytearray(len(plain))
-        packed[0::2], packed[1::2] = plain[:middle], plain[middle:]
-    return struct.unpack(f"<{len(packed) // 2}e", packed)
-
-
 class ImageLight(support.CliTest):
     def drawn(self, name, *options, fov=60, size="32x18", sky="", more=""):
         self.write("s.toml", FLAT.format(fov=fov) + f'[sky]\nkind = "image"\nimage = "{name}"\n{sky}\n{more}')
         self.notes = self.run_nullscope("capture", "s.toml", "--size", size, *options, "-o", "s.exr").err
         self.notes = "".join(line for line in self.notes.splitlines(True) if "reading" not in line)
-        got = read_floats((self.folder / "s.exr").read_bytes())
+        got = support.read_exr((self.folder / "s.exr").read_bytes())
         return [[tuple(got[c][y][x] for c in "RGB") for x in range(len(got["R"][0]))] for y in range(len(got["R"]))]
 
     def near(self, got, wanted, tolerance=TOLERANCE):
@@ -182,7 +165,7 @@ class ImageLight(support.CliTest):
                 for size in ("32x18", "2x2"):   # the finest level, and a coarse one
                     self.write("b.toml", FLAT.format(fov=10).replace("90.0", f"{theta}.0") + '[sky]\nkind = "black"\n' + body)
                     self.run_nullscope("capture", "b.toml", "--size", size, "-o", "b.exr")
-                    got = read_floats((self.folder / "b.exr").read_bytes())
+                    got = support.read_exr((self.folder / "b.exr").read_bytes())
                     for row in range(len(got["R"])):
                         self.near([got[c][row][0] for c in "RGB"], (value,) * 3)
 
@@ -193,7 +176,7 @@ class ImageLight(support.CliTest):
             sky = f'[sky]\nkind = "image"\nimage = "{near}.exr"\n' if near else '[sky]\nkind = "black"\n'
             self.write("w.toml", '[spacetime]\nmetric = "ellis"\n[camera]\nr = 5.0\ntheta = 90.0\n' + sky + f'[far_sky]\nkind = "image"\nimage = "{far}.exr"\n')
             self.run_nullscope("capture", "w.toml", "--size", "32x18", "-o", "w.exr")
-            got = read_floats((self.folder / "w.exr").read_bytes())
+            got = support.read_exr((self.folder / "w.exr").read_bytes())
             light = [tuple(got[c][y][x] for c in "RGB") for y in range(18) for x in range(32)]
             pure = [v for v in values if any(abs(p[0] - v) <= TOLERANCE * v for p in light)]
             self.assertEqual(set(pure), values)   # and mixtures at the throat's edge
@@ -204,11 +187,11 @@ class ImageLight(support.CliTest):
         for eyes in ("", 'stereo = "pair"\neye_distance = 0.1\n'):
             self.write("hot.toml", FLAT.format(fov=60) + eyes + sky)
             self.run_nullscope("capture", "hot.toml", "--size", "8x4", "--half", "-o", "a.exr")
-            self.assertEqual(set(halves(self.folder / "a.exr")), {500.0, 65504.0}, eyes)
+            self.assertEqual({value for rows in support.read_exr((self.folder / "a.exr").read_bytes()).values() for row in rows for value in row}, {500.0, 65504.0}, eyes)
 
     def test_no_light_is_below_0(self):
         self.run_nullscope("capture", "m87", "--size", "96x54", "-o", "m.exr")
-        got = read_floats((self.folder / "m.exr").read_bytes())
+        got = support.read_exr((self.folder / "m.exr").read_bytes())
         self.assertGreaterEqual(min(v for rows in got.values() for row in rows for v in row), 0.0)
 
 

@@ -1,43 +1,14 @@
 #!/usr/bin/env python3
 """Layers, ST maps and motion vectors, as files: their channels, and what is in them."""
 import math
-import struct
-import zlib
 
 import support
-
-
-def read_floats(data):
-    """The channels of a single-part ZIP EXR of 32-bit floats: name -> rows of values."""
-    kinds, (width, height), at = support.exr_header(data)
-    names = [name for name, _ in kinds]
-    at += 8 * -(-height // 16)
-    channels = {name: [] for name in names}
-    for top in range(0, height, 16):
-        rows = min(16, height - top)
-        (length,) = struct.unpack("<i", data[at + 4:at + 8])
-        packed = data[at + 8:at + 8 + length]
-        at += 8 + length
-        whole = 4 * width * rows * len(names)
-        if length < whole:   # as OpenEXR's ZIP: differences, of even and odd bytes
-            plain = bytearray(zlib.decompress(packed))
-            for i in range(1, len(plain)):
-                plain[i] = (plain[i - 1] + plain[i] - 128) & 255
-            half = (len(plain) + 1) // 2
-            packed = bytearray(len(plain))
-            packed[0::2], packed[1::2] = plain[:half], plain[half:]
-        values = struct.unpack(f"<{whole // 4}f", packed)
-        for row in range(rows):
-            for number, name in enumerate(names):
-                first = (row * len(names) + number) * width
-                channels[name].append(values[first:first + width])
-    return channels
 
 
 class Layers(support.CliTest):
     def channels(self, *words):
         self.run_nullscope("capture", *words)
-        return read_floats((self.folder / words[words.index("-o") + 1]).read_bytes())
+        return support.read_exr((self.folder / words[words.index("-o") + 1]).read_bytes())
 
     def test_layers_add_up(self):
         got = self.channels("first-light", "--size", support.SMALL, "--layers", "-o", "a.exr")
@@ -84,7 +55,7 @@ class Layers(support.CliTest):
         for number, words in enumerate((("--raydata",), ("--layers",), ("--layers", "--time-step", "0.5", "--frames", "0:1"))):
             name = f"m{number}_%d.exr" if "--frames" in words else f"m{number}.exr"
             self.run_nullscope("capture", "moves.toml", "--size", "160x90", *words, "-o", name)
-            got = read_floats((self.folder / name.replace("%d", "0")).read_bytes())
+            got = support.read_exr((self.folder / name.replace("%d", "0")).read_bytes())
             for channels, same in (("RGB", picture), (("hit", "fate"), rests)):
                 for channel in channels:
                     self.assertTrue(got[channel] == same[channel], f"{words}: {channel}")
@@ -116,7 +87,7 @@ class Layers(support.CliTest):
         self.write("turn.toml", '[spacetime]\nmetric = "minkowski"\n[camera]\nr = 20\ntheta = 90\nfov = 60\n[path]\nkind = "keys"\n'
                    "[[path.key]]\nyaw = 0\n[[path.key]]\nframe = 10\nyaw = 10\n")
         self.run_nullscope("capture", "turn.toml", "--size", "64x36", "--layers", "--frames", "0:1", "-o", "m%d.exr")
-        got = read_floats((self.folder / "m0.exr").read_bytes())
+        got = support.read_exr((self.folder / "m0.exr").read_bytes())
         self.assertEqual(got["forward.known"][18][32], 1)
         self.assertAlmostEqual(got["forward.u"][18][32], -32 * 3 ** 0.5 * 3.14159265 / 180, delta=0.01)
         self.assertAlmostEqual(got["forward.v"][18][32], 0, delta=0.01)

@@ -87,7 +87,7 @@ class Matrix(support.CliTest):
         said = done.stderr.decode("utf-8", "replace").strip()
         if done.returncode != 0:
             return f"status {done.returncode}, {said}"
-        return judge.read_exr((self.folder / f"{name.replace('%d', '0')}.{ending}").read_bytes())
+        return support.read_exr((self.folder / f"{name.replace('%d', '0')}.{ending}").read_bytes())
 
     def drawn(self, row, place, *words):
         got = self.capture(row, place, *words)

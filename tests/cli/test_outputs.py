@@ -4,7 +4,6 @@ all every three) either gives one whole file or is refused in one line."""
 import itertools
 
 import support
-from test_layers import read_floats
 
 # Something of every layer, in a space where shaders are soon compiled.
 SCENE = """[spacetime]
@@ -54,7 +53,7 @@ class Outputs(support.CliTest):
         data = (self.folder / name).read_bytes()
         names = [n for n, _ in support.exr_header(data)[0]]
         self.assertEqual(len(names), len(set(names)), names)
-        return read_floats(data)
+        return support.read_exr(data)
 
     def check_exr(self, options, number):
         given = {option[0] for option in options}

@@ -8,7 +8,6 @@ import sys
 from pathlib import Path
 
 import support
-from matrix_judge import read_exr
 
 ROOT = Path(support.__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
@@ -73,7 +72,7 @@ class Stars(support.CliTest):
         self.write("s.toml", '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "points"\nuniform_stars = 1\nmagnitude_limit = 30\n')
         for renderer in "gl", "reference":
             self.run_nullscope("capture", "s.toml", "--size", "32x18", "--renderer", renderer, "-o", "s.exr")
-            light = read_exr((self.folder / "s.exr").read_bytes())
+            light = support.read_exr((self.folder / "s.exr").read_bytes())
             self.assertEqual(max(max(map(max, light[c])) for c in "RGB"), 0, renderer)
 
 
