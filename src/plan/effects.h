@@ -97,7 +97,7 @@ struct EffectRow {
     std::string_view define;  // GLSL preprocessor name
     std::string_view help;    // one sentence
     std::string_view needs;   // what in a scene calls for it
-    std::string_view cost;    // what it adds: tables, textures, work a pixel
+    std::string_view cost;    // work that it adds; its tables and textures are those of render/frame_textures.h
     SlotPart part = {};       // of an effect that stands in a slot: all that the shader has of it
 };
 
@@ -120,11 +120,15 @@ public:
     std::vector<Effect> list() const;            // in the order of the enumerators
     std::vector<std::string_view> keys() const;  // the same as keys
     friend bool operator==(const EffectSet& a, const EffectSet& b) { return a.bits_ == b.bits_; }
-    // Not to_ulong(): where long has 32 bits (Windows, WebAssembly) it throws for the effects from number 32 on.
-    friend bool operator<(const EffectSet& a, const EffectSet& b) { return a.bits_.to_ullong() < b.bits_.to_ullong(); }
+    // By the first effect that only one of them has: the set that has it comes first.
+    friend bool operator<(const EffectSet& a, const EffectSet& b) {
+        const auto differ = a.bits_ ^ b.bits_;
+        for (std::size_t i = 0; i < kEffectCount; ++i)
+            if (differ.test(i)) return a.bits_.test(i);
+        return false;
+    }
 
 private:
-    static_assert(kEffectCount <= 64, "operator< compares sets as numbers of 64 bits");
     std::bitset<kEffectCount> bits_;
 };
 
