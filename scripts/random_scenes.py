@@ -16,6 +16,7 @@ import re
 import subprocess
 import sys
 import time
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -149,7 +150,8 @@ class Judge:
         sys.path.insert(0, str(ROOT / "tests/cli"))
         import matrix_judge
         import matrix_scenes
-        self.judge, self.scenes, self.binary, self.folder = matrix_judge, matrix_scenes, str(Path(options.binary).resolve()), options.folder
+        import support
+        self.support, self.judge, self.scenes, self.binary, self.folder = support, matrix_judge, matrix_scenes, str(Path(options.binary).resolve()), options.folder
         self.folder.mkdir(parents=True, exist_ok=True)
         matrix_scenes.write_files(self.folder, ROOT / "assets")
         (self.folder / "camera.csv").write_text("frame,r,theta\n0,15,80\n10,12,70\n")
@@ -166,7 +168,7 @@ class Judge:
         return done.returncode, done.stderr.decode("utf-8", "replace").strip()
 
     def channels(self):
-        return self.judge.read_exr((self.folder / "now.exr").read_bytes())
+        return self.support.read_exr((self.folder / "now.exr").read_bytes())
 
     def wrong(self, scene):
         """What is wrong, each with a word of its kind first."""
@@ -220,6 +222,7 @@ def without(scene, section, key=None, index=0):
 
 def settled(generator, judge, scene):
     """The scene less what its own values rule out; or what is wrong with a refusal."""
+    refused = Counter()
     for _ in range(100):
         status, said = judge.run(scene, "plan")
         if status == 0:
@@ -235,8 +238,11 @@ def settled(generator, judge, scene):
                 scene = {**scene, section: {}}
             else:
                 return scene, f"refusal: names {told[1]}, which is not in the scene: {said}"
+        refused[told[1]] += 1
         tables = scene[section] if isinstance(scene[section], list) else [scene[section]]
-        if key is not None and key in tables[0]:
+        if refused[told[1]] > 3:   # what was changed is refused by another key, and back
+            scene = {**scene, "spacetime": {}} if section in ("camera", "spacetime") else without(scene, section)
+        elif key is not None and key in tables[0]:
             scene = without(scene, section, key)
         elif key is not None and "missing" in told[2] and key in generator.keys.get(section, {}):
             tables[0][key] = generator.value(key, *generator.keys[section][key])
