@@ -56,7 +56,7 @@ void check_ball(const Body& body, const BodyCheck& at) {
 const BodyKind kBallKind{
     .key = BallSpec::kName,
     .effect = {Effect::kBall, "ball", "EFFECT_BALL", "A solid sphere anywhere ends rays.", "there is a [ball]",
-               "ray ends, orbit table; steps of four fetches, at most 128, shared with other bodies"},
+               "steps along the ray, at most 128, shared with other bodies"},
     .make = [] { return Body{BallSpec{}}; },
     .keys = ball_keys,
     .check = check_ball,

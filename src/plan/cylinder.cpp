@@ -39,7 +39,7 @@ void check_cylinder(const Body& body, const BodyCheck& at) {
 const BodyKind kCylinderKind{
     .key = CylinderSpec::kName,
     .effect = {Effect::kCylinder, "cylinder", "EFFECT_CYLINDER", "A solid disc of finite thickness ends rays.",
-               "there is a [cylinder]", "ray ends, orbit table; steps of four fetches, at most 128"},
+               "there is a [cylinder]", "steps along the ray, at most 128"},
     .make = [] { return Body{CylinderSpec{}}; },
     .keys = cylinder_keys,
     .check = check_cylinder,

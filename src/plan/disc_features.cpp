@@ -29,7 +29,7 @@ std::vector<SceneKey> gas_keys() {
 std::span<const Feature> disc_features() {
     static const auto features = std::to_array<Feature>({
         {{Effect::kDisc, "disc", "EFFECT_DISC", "A flat disc lies in the equatorial plane.", "there is a [disc]",
-          "ray ends, orbit table; four fetches a crossing"},
+          "where each ray crosses its plane: from tables four fetches a crossing"},
          [](const FrameFacts& f) -> Reason {
              if (!f.scene.disc) return kNot;
              return fmt::format("[disc] from {} to {}", f.scene.disc->inner, f.scene.disc->outer);
@@ -81,7 +81,7 @@ std::span<const Feature> disc_features() {
          [](Scene& s) { s.disc->opacity = 0.5; }},
         {{Effect::kThermalDisc, "thermal-disc", "EFFECT_THERMAL_DISC",
           "The disc's matter moves on geodesics and emits thermal light powered by accretion.",
-          "disc.emission is \"thermal\"", "disc flow, black body; six fetches a crossing"},
+          "disc.emission is \"thermal\"", "six fetches a crossing"},
          [](const FrameFacts& f) { return reason_if(f.thermal(), "disc.emission = \"thermal\""); },
          [](Scene& s) { s.disc->emission = DiscEmission::kImage; },
          bare_disc,
@@ -105,7 +105,7 @@ std::span<const Feature> disc_features() {
           "EFFECT_SPOT",
           "Hot spots are on an orbit in the disc.",
           "there is a [spot] and a [disc]",
-          "arithmetic a crossing; black body where one is",
+          "arithmetic a crossing",
           {Slot::kDiscGlow, "object/spot.glsl", "spot_light"}},
          [](const FrameFacts& f) -> Reason {
              return f.spot() ? Reason(fmt::format("[spot] at {}", f.scene.spots.front().r)) : kNot;

@@ -40,7 +40,7 @@ std::span<const Feature> light_features() {
     static const auto features = std::to_array<Feature>({
         {{Effect::kLensing, "lensing", "EFFECT_LENSING", "Light follows the null geodesics of the metric.",
           "spacetime.metric is one that bends light and does not rotate, and light.lensing is not \"off\"",
-          "deflection table, strip; one fetch and two linear interpolations per pixel"},
+          "one fetch and two linear interpolations a pixel"},
          [](const FrameFacts& f) { return reason_if(f.bends(), metric_words(f)); },
          [](Scene& s) {
              const auto metric = make_spacetime(s.spacetime.metric, s.spacetime.parameters);
@@ -181,10 +181,7 @@ std::span<const Feature> light_features() {
         {{Effect::kDelay, "delay", "EFFECT_DELAY",
           "Light-travel time: moving things appear where they were when their light left.",
           "something changes with time and light.delay is not \"off\"",
-          "light-time table; four fetches and a logarithm per crossing or sample of a body; about a rotating hole a "
-          "square "
-          "root "
-          "per force"},
+          "four fetches and a logarithm a crossing or look at a body; about a rotating hole a square root a force"},
          [](const FrameFacts& f) -> Reason {
              const std::string moving = moving_words(f.scene);
              return reason_if(!moving.empty() && f.scene.light.delay, moving);
@@ -201,8 +198,7 @@ std::span<const Feature> light_features() {
          [](Scene& s) { s.light.delay = true; }},
         {{Effect::kInnerHorizon, "inner-horizon", "EFFECT_INNER_HORIZON",
           "Light-travel time about a hole with an inner horizon.",
-          "light-travel time is needed about a hole with spacetime.charge",
-          "a logarithm per crossing or sample of a body"},
+          "light-travel time is needed about a hole with spacetime.charge", "a logarithm a crossing or look at a body"},
          [](const FrameFacts& f) {
              const bool late = f.bends() && f.so_far.contains(Effect::kLightTimes);
              return reason_if(late && f.spacetime->spherical()->has_inner_root(), metric_words(f));

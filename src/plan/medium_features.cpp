@@ -207,7 +207,7 @@ std::span<const Feature> medium_features() {
           "EFFECT_MEDIUM_FLOW",
           "Light is emitted and absorbed along its way by a hot flow about the hole.",
           "there is a [medium] of kind \"flow\"",
-          "ray ends, orbit table; the ray's way once more, in samples of two exponentials",
+          "the ray's way once more, in samples of two exponentials",
           {Slot::kMedium, "medium/flow.glsl"}},
          [](const FrameFacts& f) -> Reason {
              if (!f.scene.medium || f.scene.medium->kind != MediumKind::kFlow) return kNot;
@@ -223,7 +223,7 @@ std::span<const Feature> medium_features() {
           "EFFECT_MEDIUM_GAS",
           "Light is emitted and absorbed along its way by a soft disc of gas.",
           "there is a [medium] of kind \"gas\"",
-          "ray ends, orbit table, black body; the ray's way once more, in samples of up to 16 hashes",
+          "the ray's way once more, in samples of up to 16 hashes",
           {Slot::kMedium, "medium/gas.glsl"}},
          [](const FrameFacts& f) -> Reason {
              if (!f.gas()) return kNot;
@@ -237,8 +237,7 @@ std::span<const Feature> medium_features() {
          [](Scene& s) { s.medium.emplace(); },
          nullptr,
          medium_gas_keys()},
-        {{Effect::kMediumMotion, "medium-motion", "EFFECT_MEDIUM_MOTION",
-          "Matter along rays is another at another time.",
+        {{Effect::kMediumMotion, "medium-motion", "EFFECT_MEDIUM_MOTION", "The medium depends on time.",
           "medium.flow is \"kepler\", or a formula of matter asks for t",
           "of gas two exponentials and roots an octave of each sample"},
          [](const FrameFacts& f) -> Reason {
@@ -262,7 +261,7 @@ std::span<const Feature> medium_features() {
           "EFFECT_MEDIUM_FORMULA",
           "Light is emitted and absorbed along its way by matter that formulas describe.",
           "there is a [medium] of kind \"formula\"",
-          "ray ends, orbit table; the ray's way once more, in samples of the formulas",
+          "the ray's way once more, in samples of the formulas",
           {Slot::kMedium, "medium/formula.glsl"}},
          [](const FrameFacts& f) -> Reason {
              if (!f.scene.medium || f.scene.medium->kind != MediumKind::kFormula) return kNot;
@@ -275,7 +274,7 @@ std::span<const Feature> medium_features() {
          formula_keys()},
         {{Effect::kMediumBlackBody, "medium-black-body", "EFFECT_MEDIUM_BLACK_BODY",
           "Matter along rays is a black body of its temperature.", "medium.emission is \"black-body\"",
-          "black body: one fetch a sample"},
+          "one fetch a sample"},
          [](const FrameFacts& f) {
              return reason_if(f.has_emission(MediumEmission::kBlackBody), "medium.emission = \"black-body\"");
          },
@@ -304,7 +303,7 @@ std::span<const Feature> medium_features() {
           "EFFECT_MEDIUM_GRID",
           "Light is emitted and absorbed along its way by matter at the nodes of a file's grid.",
           "there is a [medium] of kind \"grid\"",
-          "ray ends, orbit table; the ray's way once more, in samples of 16 fetches",
+          "the ray's way once more, in samples of 16 fetches",
           {Slot::kMedium, "medium/grid.glsl"}},
          [](const FrameFacts& f) -> Reason {
              if (!f.scene.medium || f.scene.medium->kind != MediumKind::kGrid) return kNot;

@@ -31,7 +31,7 @@ std::span<const Feature> picture_features() {
     static const auto features = std::to_array<Feature>({
         {{Effect::kPointStars, "point-stars", "EFFECT_POINT_STARS", "Stars are points, each with all its images.",
           "sky.kind is \"points\"",
-          "a pass of its own: a vertex a star and image; star lens, black body; about a rotating hole a mesh of rays "
+          "a pass of its own: a vertex a star and image; about a rotating hole a mesh of rays "
           "on the host"},
          [](const FrameFacts& f) { return reason_if(f.points(), sky_words(f)); },
          [](Scene& s) { s.sky.kind = s.sky.uniform_stars == 0 ? SkyKind::kStars : SkyKind::kBlack; },
@@ -43,8 +43,7 @@ std::span<const Feature> picture_features() {
              s.light = {false, false};
          }},
         {{Effect::kSky, "sky", "EFFECT_SKY", "Escaped rays show the celestial sphere.",
-          "sky.kind is stars, image, nebula or points, and there are no sky.uniform_stars",
-          "a cube map; one fetch a pixel"},
+          "sky.kind is stars, image, nebula or points, and there are no sky.uniform_stars", "one fetch a pixel"},
          [](const FrameFacts& f) { return reason_if(f.sky_light, sky_words(f)); },
          [](Scene& s) { s.sky.kind = SkyKind::kBlack; },
          nothing,
@@ -52,7 +51,7 @@ std::span<const Feature> picture_features() {
         {{Effect::kSkyShift, "sky-shift", "EFFECT_SKY_SHIFT",
           "The sky picture has the colour and brightness that g gives it.",
           "there is a sky.temperature, and the camera moves or is not far away",
-          "a factor; black body and one logarithm a pixel where the camera moves"},
+          "a factor; one fetch and one logarithm a pixel where the camera moves"},
          [](const FrameFacts& f) -> Reason {
              if (!f.sky_shift) return kNot;
              const bool motion = f.moves && f.scene.light.doppler;
@@ -73,7 +72,7 @@ std::span<const Feature> picture_features() {
          nothing,
          [](Scene& s) { s.sky.kind = SkyKind::kPlain; }},
         {{Effect::kFarSky, "far-sky", "EFFECT_FAR_SKY", "Rays through the wormhole show the sky of its other side.",
-          "spacetime.metric is a wormhole and far_sky.kind is not black", "a cube map; one fetch a pixel"},
+          "spacetime.metric is a wormhole and far_sky.kind is not black", "one fetch a pixel"},
          [](const FrameFacts& f) -> Reason {
              if (!f.bends() || f.spacetime->inner_end() != InnerEnd::kOtherSky ||
                  f.scene.far_sky.kind == SkyKind::kBlack)

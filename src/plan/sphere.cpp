@@ -41,7 +41,7 @@ void check_sphere(const Body& body, const BodyCheck& at) {
 const BodyKind kSphereKind{
     .key = SphereSpec::kName,
     .effect = {Effect::kSphere, "sphere", "EFFECT_SPHERE", "A solid sphere about the centre ends rays.",
-               "there is a [sphere]", "ray ends, orbit table; some four steps of four fetches where it is seen"},
+               "there is a [sphere]", "some four steps along the ray where it is seen"},
     .make = [] { return Body{SphereSpec{}}; },
     .keys = sphere_keys,
     .check = check_sphere,

@@ -49,7 +49,7 @@ void check_surface(const Body& body, const BodyCheck& at) {
 const BodyKind kSurfaceKind{
     .key = SurfaceSpec::kName,
     .effect = {Effect::kSurface, "surface", "EFFECT_SURFACE", "A solid given by a formula ends rays.",
-               "there is a [surface]", "ray ends, orbit table; steps of five fetches and the formula"},
+               "there is a [surface]", "steps along the ray, each with one fetch and the formula"},
     .make = [] { return Body{SurfaceSpec{}}; },
     .keys = surface_keys,
     .check = check_surface,

@@ -4,21 +4,37 @@
 
 namespace nullscope {
 
+std::vector<std::pair<int, int>> Bloom::levels(int width, int height) {
+    constexpr int kCoarsest = 8;
+    std::vector<std::pair<int, int>> sizes;
+    do {
+        width = std::max(1, (width + 1) / 2);
+        height = std::max(1, (height + 1) / 2);
+        sizes.emplace_back(width, height);
+    } while (width > kCoarsest || height > kCoarsest);
+    return sizes;
+}
+
+std::size_t Bloom::bytes(int width, int height) {
+    std::size_t texels = 0, coarsest = 0;
+    for (const auto& [w, h] : levels(width, height)) {
+        coarsest = static_cast<std::size_t>(w) * h;
+        texels += 2 * coarsest;
+    }
+    return 8 * (texels - coarsest);
+}
+
 void Bloom::resize(int width, int height) {
     if (width == width_ && height == height_) return;
     down_.clear();
     up_.clear();
     width_ = width;
     height_ = height;
-    constexpr int kCoarsest = 8;
-    do {
-        width = std::max(1, (width + 1) / 2);
-        height = std::max(1, (height + 1) / 2);
+    for (const auto& [w, h] : levels(width, height))
         for (auto* targets : {&down_, &up_}) {
-            targets->push_back(gl::make_target(width, height, gl::Format::kRgba16F));
+            targets->push_back(gl::make_target(w, h, gl::Format::kRgba16F));
             gl::set_linear(targets->back().colours.front());
         }
-    } while (width > kCoarsest || height > kCoarsest);
     up_.pop_back();  // the coarsest level is its own sum
 }
 

@@ -2,6 +2,7 @@
 // level the mean luminance, which adapts in time.
 #pragma once
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "gl/gl.h"
@@ -15,6 +16,7 @@ public:
     void resize(int width, int height);
     void clear() { *this = {}; }
     std::size_t bytes() const;
+    static std::size_t bytes(int width, int height);  // of a picture of this size
 
     // All of them draw with `source_texture` at unit source_unit, `bloom_texture` at bloom_unit.
     void draw_down(const gl::Program& down, const gl::VertexArray& empty, const gl::Texture& picture, int source_unit);
@@ -28,6 +30,8 @@ public:
     const gl::Texture& metered() const { return meter_->colours.front(); }
 
 private:
+    static std::vector<std::pair<int, int>> levels(int width, int height);
+
     int width_ = 0, height_ = 0;
     std::vector<gl::Target> down_, up_;  // up_[i] has the size of down_[i]
     std::optional<gl::Target> meter_;

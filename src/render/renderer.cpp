@@ -9,6 +9,7 @@
 #include "base/assets.h"
 #include "base/stopwatch.h"
 #include "image/large_image.h"
+#include "render/frame_textures.h"
 #include "render/ray_list_target.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
@@ -626,7 +627,7 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
     if (disc_.texture) add("disc image", disc_.width, disc_.height, kPicture);
     for (int image = 0; image < kMostBodyImages; ++image)
         if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(image)]; picture.texture)
-            add(body_image_sampler(image), picture.width, picture.height, kPicture);
+            add(body_image_name(tables_.plan().scene, image), picture.width, picture.height, kPicture);
     if (flow_key_) add("disc flow", kDiscFlowCells + 1, kDiscFlowRows, kTexel);
     if (black_body_) add("black body", kBlackBodyCells + 1, 1, kTexel);
     if (warp_.rows() > 0) add("warp mesh", kWarpRow, warp_.rows(), kTexel);

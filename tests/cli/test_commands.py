@@ -72,6 +72,8 @@ class Commands(support.CliTest):
         for name in ("Axel Mellinger", "proper credit", "Hipparcos", "d3-celestial"):
             self.assertIn(name, self.run_nullscope("--credits").out)
 
+    TABLES = ("deflection table", "strip", "ray ends", "orbit table", "light-time table", "star lens", "ball paths", "black body", "disc flow", "medium grid")
+
     def test_scenes_are_listed_and_planned(self):
         lines = self.run_nullscope("scenes").out.splitlines()
         self.assertGreaterEqual(len(lines), 3)
@@ -82,6 +84,10 @@ class Commands(support.CliTest):
             self.assertEqual(plan["table_bytes"], sum(t["bytes"] for t in plan["tables"]))
             self.assertGreater(plan["shader"]["bytes"], 1000)
             self.assertTrue(plan["passes"])
+            there = {table["name"] for table in plan["tables"]}
+            self.assertEqual([table["name"] for table in plan["tables"] if not table["reason"]], [], name)
+            for effect in plan["effects"]:
+                self.assertEqual({table for table in self.TABLES if table in effect["cost"]} - there, set(), (name, effect["effect"]))
 
     def test_plan_measures_what_each_effect_takes(self):
         scene = self.write("seen.toml", '[camera]\nsize = [320, 180]\n[spacetime]\nmetric = "ellis"\n[picture]\nbloom = 0.1\n')

@@ -199,7 +199,7 @@ TEST_CASE("bodies: tables and textures are there for the effects that are on, an
         CHECK(now() == Names{"surface clearance"});
         first_body<SphereSpec>(scene)->material.texture = TextureKind::kImage;
         first_body<SphereSpec>(scene)->material.image = assets_directory() / "images" / "accretion-disc.png";
-        CHECK(now() == Names{"body_image_0", "surface clearance"});
+        CHECK(now() == Names{"sphere image", "surface clearance"});
         remove_bodies<SphereSpec>(scene), remove_bodies<CylinderSpec>(scene), remove_bodies<BallSpec>(scene),
             remove_bodies<SurfaceSpec>(scene);
         CHECK(now() == Names{});

@@ -7,6 +7,7 @@
 
 #include "base/assets.h"
 #include "base/atomic_file.h"
+#include "render/frame_textures.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
 #include "shaderlib/shader_source.h"
@@ -42,7 +43,7 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     if (effects.contains(Effect::kMediumGrid)) names.insert("medium grid");
     if (effects.contains(Effect::kBodyImage))
         for (std::size_t i = 0; i < body_images(scene).size(); ++i)
-            names.insert(body_image_sampler(static_cast<int>(i)));
+            names.insert(body_image_name(scene, static_cast<int>(i)));
     return names;
 }
 
@@ -144,6 +145,40 @@ TEST_CASE("an effect that is off has no texture, and gives it back when it goes 
             }
         }
         CHECK(seen.size() == kEffectCount);
+    });
+}
+
+// Name and size of each, as lines.
+Names sizes_of(const Renderer& renderer) {
+    Names lines;
+    for (const auto& made : renderer.textures()) lines.insert(fmt::format("{} {}", made.name, made.bytes));
+    return lines;
+}
+Names planned_sizes(const FrameTables& tables) {
+    const auto planned = frame_textures(tables);
+    REQUIRE(planned);
+    Names lines;
+    for (const FrameTexture& each : *planned) {
+        CAPTURE(each.name);
+        CHECK_FALSE(each.reason.empty());
+        if (each.on_gpu) lines.insert(fmt::format("{} {}", each.name, each.bytes));
+    }
+    return lines;
+}
+
+TEST_CASE("a plan names each texture that a picture has, its bytes and what calls for it") {
+    on_one_context([](GpuSession& session) {
+        Renderer& renderer = *session.renderer;
+        for (const Scene& scene : full_scenes()) {
+            CAPTURE(scene.spacetime.metric);
+            REQUIRE(renderer.prepare(scene));
+            renderer.picture8();
+            Names there = sizes_of(renderer), planned = planned_sizes(renderer.tables());
+            if (renderer.tables().path().finds_star_images())  // a plan knows the stars, not which images are in view
+                for (Names* lines : {&there, &planned})
+                    std::erase_if(*lines, [](const std::string& line) { return line.starts_with("stars "); });
+            CHECK(joined(there) == joined(planned));
+        }
     });
 }
 
