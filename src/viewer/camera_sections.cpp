@@ -138,8 +138,8 @@ bool lens_section(ViewState& view) {
     const bool zoomed = slide_degrees("View", fov, pinhole ? 1.0 : 10.0, pinhole ? 170.0 : 360.0,
                                       "Horizontal field of view. Shift and the wheel change it too.");
     if (zoomed) set_fov(camera, fov);
-    return slide("Exposure", camera.exposure_ev, -10.0, 10.0, "%+.2f EV",
-                 "The picture's brightness is multiplied by 2^EV.") ||
+    return slide_key("camera.exposure", "Exposure", camera.exposure_ev, -10.0, 10.0, "%+.2f EV",
+                     "The picture's brightness is multiplied by 2^EV.") ||
            zoomed;
 }
 

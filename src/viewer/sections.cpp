@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scenefile/scene_keys.h"
 #include "spacetime/registry.h"
 #include "viewer/critical_overlay.h"
 #include "viewer/length_fields.h"
@@ -87,32 +88,33 @@ bool disc_section(ViewState& view) {
         view.scene.disc = on ? std::optional<DiscSpec>(view.hidden_disc) : std::nullopt;
     }
     if (!view.scene.disc) return changed;
-    constexpr double kNarrow = 0.999, kWidest = 1000.0;  // inner over outer at most; r_s
+    constexpr double kNarrow = 0.999;  // inner over outer at most
     DiscSpec& disc = *view.scene.disc;
     const auto spacetime = spacetime_of(view.scene);
     const NumberStyle style = spacetime ? style_in(view.scene, *spacetime, view.numbers) : NumberStyle();
     changed |= drag_length("Inner", disc.inner, 0.02, (1.0 - kNarrow) * disc.outer, kNarrow * disc.outer, style,
                            "Inner radius. 3 r_s is the innermost stable circular orbit of a hole without spin.");
-    changed |= drag_length("Outer", disc.outer, 0.05, disc.inner / kNarrow, std::max(kWidest, 2.0 * disc.inner), style,
+    changed |= drag_length("Outer", disc.outer, 0.05, disc.inner / kNarrow, key_range("disc.outer").high, style,
                            "Outer radius.");
     bool thermal = disc.emission == DiscEmission::kThermal;
     changed |= tick("Thermal", thermal, "Thermal emission powered by accretion; an image then gives the emissivity.");
     disc.emission = thermal ? DiscEmission::kThermal : DiscEmission::kImage;
     if (thermal && disc.accretion) {
-        changed |=
-            slide("Mass", disc.accretion->mass_suns, 1.0, 1e10, "%.3g suns",
-                  "Mass of the hole; together with the accretion rate it sets the temperature.", Scale::kLogarithmic);
-        changed |= slide("Accretion", disc.accretion->rate_eddington, 1e-6, 100.0, "%.3g",
-                         "Accretion rate over the Eddington rate at an efficiency of 0.1.", Scale::kLogarithmic);
+        changed |= slide_key("disc.mass", "Mass", disc.accretion->mass_suns, 1.0, 1e10, "%.3g suns",
+                             "Mass of the hole; together with the accretion rate it sets the temperature.",
+                             Scale::kLogarithmic);
+        changed |= slide_key("disc.accretion_rate", "Accretion", disc.accretion->rate_eddington, 1e-6, 100.0, "%.3g",
+                             "Accretion rate over the Eddington rate at an efficiency of 0.1.", Scale::kLogarithmic);
     } else if (thermal)
-        changed |= slide("Temperature", disc.temperature_K, 2000.0, 50000.0, "%.0f K",
-                         "Temperature of the hottest ring, in its own frame.", Scale::kLogarithmic);
-    changed |= slide("Opacity", disc.opacity, 0.01, 1.0, "%.2f", "Below 1, what lies behind shines through.");
-    changed |= slide("Edge", disc.edge, 0.0, 0.5, "%.2f",
-                     "Width of the soft edge at both rims, as a fraction of the disc's width.");
+        changed |= slide_key("disc.temperature", "Temperature", disc.temperature_K, 2000.0, 50000.0, "%.0f K",
+                             "Temperature of the hottest ring, in its own frame.", Scale::kLogarithmic);
+    changed |= slide_key("disc.opacity", "Opacity", disc.opacity, 0.01, 1.0, "%.2f",
+                         "Below 1, what lies behind shines through.");
+    changed |= slide_key("disc.edge", "Edge", disc.edge, 0.0, 0.5, "%.2f",
+                         "Width of the soft edge at both rims, as a fraction of the disc's width.");
     changed |= drag_degrees("Rotation", disc.rotation, -360.0, 360.0, "Rotation of the disc's image about its axis.");
-    changed |= slide("Brightness", disc.brightness, kLeastBrightness, kMostBrightness, "%.2f",
-                     "Multiplies the disc's light.", Scale::kLogarithmic);
+    changed |= slide_key("disc.brightness", "Brightness", disc.brightness, kLeastBrightness, kMostBrightness, "%.2f",
+                         "Multiplies the disc's light.", Scale::kLogarithmic);
     return changed;
 }
 
@@ -136,13 +138,13 @@ bool sky_section(ViewState& view, bool escape) {
         }
     });
     if (sky.kind == SkyKind::kBlack) return changed;
-    changed |= slide("Brightness", sky.brightness, kLeastBrightness, kMostBrightness, "%.2f",
-                     "Multiplies the sky's light. The sky is rebuilt when you release the slider.", Scale::kLogarithmic,
-                     When::kOnRelease);
-    changed |= slide_degrees("Yaw", sky.yaw, -180.0, 180.0, "Rotation of the sky about the polar axis, after tilt.",
-                             When::kOnRelease);
-    changed |= slide_degrees("Tilt", sky.tilt, -180.0, 180.0, "Rotation of the sky about the world's x axis.",
-                             When::kOnRelease);
+    changed |= slide_key("sky.brightness", "Brightness", sky.brightness, kLeastBrightness, kMostBrightness, "%.2f",
+                         "Multiplies the sky's light. The sky is rebuilt when you release the slider.",
+                         Scale::kLogarithmic, When::kOnRelease);
+    changed |= slide_key_degrees("sky.yaw", "Yaw", sky.yaw, -180.0, 180.0,
+                                 "Rotation of the sky about the polar axis, after tilt.", When::kOnRelease);
+    changed |= slide_key_degrees("sky.tilt", "Tilt", sky.tilt, -180.0, 180.0,
+                                 "Rotation of the sky about the world's x axis.", When::kOnRelease);
     return changed;
 }
 
@@ -185,8 +187,8 @@ bool light_section(ViewState& view, bool escape) {
         }
     });
     constexpr double kMostBloom = 0.5;
-    changed |= slide("Bloom", picture.bloom, 0.0, kMostBloom, "%.2f",
-                     "Fraction of the light that lens and eye scatter into a halo.");
+    changed |= slide_key("picture.bloom", "Bloom", picture.bloom, 0.0, kMostBloom, "%.2f",
+                         "Fraction of the light that lens and eye scatter into a halo.");
     changed |= tick("Adapt", picture.auto_exposure, "Exposure adapts to the picture's mean luminance.");
     changed |=
         tick("Dither", picture.dither, "Adds noise of half an 8-bit step, so that dark gradients show no bands.");

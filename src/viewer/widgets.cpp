@@ -1,5 +1,6 @@
 #include "viewer/widgets.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -8,6 +9,7 @@
 #include <numbers>
 
 #include "base/text.h"
+#include "scenefile/scene_keys.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -27,6 +29,12 @@ bool accept(double edited, double low, double high, double& value) {
     if (!std::isfinite(edited)) return false;  // "nan" can be typed
     value = std::clamp(edited, low, high);     // and so can numbers beyond the ends
     return true;
+}
+
+// What is allowed that is next to a number: the slider's end where the range's own is not.
+double nearest_allowed(double edited, const KeyRange& allowed, double low, double high) {
+    if (allowed.contains(edited)) return edited;
+    return edited <= allowed.low ? (allowed.open_low ? low : allowed.low) : (allowed.open_high ? high : allowed.high);
 }
 
 // What the item before shows while it is being edited; only one is at a time.
@@ -66,6 +74,20 @@ ImVec2 beside_window(const ImVec2& size) {
     const float gap = kTooltipGap * em(), right = at.x + ImGui::GetWindowWidth() + gap, left = at.x - gap - size.x;
     const float y = std::clamp(ImGui::GetItemRectMin().y, 0.0f, std::max(screen.y - size.y, 0.0f));
     return {right + size.x <= screen.x || left < 0.0f ? right : left, y};
+}
+
+// Of a value that may be anything in `allowed`.
+bool slide_within(const KeyRange& allowed, const char* name, double& value, double low, double high, const char* format,
+                  const std::string& help, Scale scale, When when) {
+    row(name, help);
+    const std::string id = hidden_id(name);
+    double edited = when == When::kOnRelease ? draft_or(id, value) : value;
+    const bool moved =
+        ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &edited, &low, &high, format, flags_of(scale));
+    const bool take = when == When::kOnRelease ? settled(id, moved, edited) : moved;
+    if (!take || !std::isfinite(edited)) return false;
+    value = nearest_allowed(edited, allowed, low, high);
+    return true;
 }
 
 }  // namespace
@@ -187,13 +209,23 @@ bool drag_degrees(const char* name, double& radians, double low_deg, double high
 
 bool slide(const char* name, double& value, double low, double high, const char* format, const std::string& help,
            Scale scale, When when) {
-    row(name, help);
-    const std::string id = hidden_id(name);
-    double edited = when == When::kOnRelease ? draft_or(id, value) : value;
-    const bool moved =
-        ImGui::SliderScalar(id.c_str(), ImGuiDataType_Double, &edited, &low, &high, format, flags_of(scale));
-    const bool take = when == When::kOnRelease ? settled(id, moved, edited) : moved;
-    return take && accept(edited, low, high, value);
+    return slide_within(closed(low, high), name, value, low, high, format, help, scale, when);
+}
+
+bool slide_key(const char* key, const char* name, double& value, double low, double high, const char* format,
+               const std::string& help, Scale scale, When when) {
+    const SceneKey row{"", key, KeyType::kNumber, "", "", key_range(key)};
+    const std::string typed =
+        fmt::format("{}\nCtrl and a click: type it in, allowed: {}. In scene files: {}.", help, allowed_text(row), key);
+    return slide_within(row.range, name, value, low, high, format, typed, scale, when);
+}
+
+bool slide_key_degrees(const char* key, const char* name, double& radians, double low_deg, double high_deg,
+                       const char* help, When when) {
+    double degrees = radians / kWidgetDegree;
+    if (!slide_key(key, name, degrees, low_deg, high_deg, "%.1f\xc2\xb0", help, Scale::kLinear, when)) return false;
+    radians = degrees * kWidgetDegree;
+    return true;
 }
 
 bool slide_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help, When when) {

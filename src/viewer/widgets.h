@@ -46,6 +46,12 @@ bool drag_number(const char* name, double& value, double speed, double low, doub
 bool drag_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help);
 bool slide(const char* name, double& value, double low, double high, const char* format, const std::string& help,
            Scale scale = Scale::kLinear, When when = When::kNow);
+// Of a key of scene files ("disc.temperature"), in the file's unit: slides over low to high; all that the file may say can be typed in,
+// which the help says.
+bool slide_key(const char* key, const char* name, double& value, double low, double high, const char* format,
+               const std::string& help, Scale scale = Scale::kLinear, When when = When::kNow);
+bool slide_key_degrees(const char* key, const char* name, double& radians, double low_deg, double high_deg,
+                       const char* help, When when = When::kNow);
 bool slide_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help,
                    When when = When::kNow);
 // Slides over a number whose own scale is not what is shown: text.

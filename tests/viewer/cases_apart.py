@@ -655,6 +655,27 @@ def test_a_drag_goes_round_the_hole_at_constant_r(screen, program, folder):
         v.settle("keyup", "alt")
 
 
+def test_what_a_scene_file_may_say_can_be_typed_in(screen, program, folder):
+    scene = '[camera]\nr = 20\n[sky]\nkind = "black"\n[disc]\nemission = "thermal"\ntemperature = 1234567\n'
+    with Viewer(screen, program, *COARSE, "--layout", "layout.txt", scene=scene) as v:
+        v.settle()
+        if not v.layout().place("1234567 K", ""):
+            v.click(*v.layout().place("Disc", ""))
+        at = v.layout().place("1234567 K", "")
+        for typed, taken in [("3e6", 3e6), ("5", 1e3)]:     # beyond the slider's ends; below what a file may say
+            v.settle("mousemove", *at)
+            v.settle("keydown", "ctrl", "mousedown", 1)
+            v.settle("mouseup", 1, "keyup", "ctrl")
+            v.settle("key", "ctrl+a")
+            v.hands("type", "--delay", 100, typed)
+            v.settle("key", "Return")
+            v.settle("mousemove", *BESIDE)
+            assert v.layout().place(f"{taken:.0f} K", ""), (typed, [words for _, words, _ in v.layout().texts if words.endswith(" K")])
+        v.settle("key", "ctrl+s")
+        saved = next(path for path in Path(v.folder).glob("*.toml") if path != v.scene)
+        assert tomllib.loads(saved.read_text())["disc"]["temperature"] == 1e3, saved.read_text()
+
+
 def test_the_light_theme_is_switched_and_kept(screen, program, folder):
     start = lambda again: Viewer(screen, program, *COARSE, "--layout", "layout.txt", first_visit=again, home=folder)
 
@@ -1248,7 +1269,7 @@ if EVERYTHING:
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest,
               test_a_file_is_chosen_in_the_desktops_dialog,
               test_bookmarks_are_kept_opened_renamed_and_deleted,
-              test_the_light_theme_is_switched_and_kept,
+              test_what_a_scene_file_may_say_can_be_typed_in, test_the_light_theme_is_switched_and_kept,
               test_a_body_is_hidden_and_shown,
               test_the_cameras_clock_is_shown_and_follows,
               test_two_settings_are_compared_across_a_line_to_drag,
