@@ -96,12 +96,17 @@ Result<FormulaHole> FormulaHole::of(const SpacetimeSpec& spec) {
         TRY(parsed, expr::SmoothFormula::parse(text(name), "r"));
         *formula = *parsed;
     }
-    // Inward from where observers rest to where they do no more.
+    // Inward from where observers rest to where they do no more, which may be between two looks: about the least A there.
     const auto lapse2 = [&](Long r) { return hole.lapse2(r); };
-    bool rests = false;
-    for (Long r = 1e6L; r > 1e-3L && hole.horizon == 0; r *= 0.97L) {
-        if (rests && !(lapse2(r) > 0)) hole.horizon = 1 / root_of(lapse2, r, r / 0.97L, 63);
-        rests = rests || lapse2(r) > 0;
+    const auto rise = [&](Long r) { return hole.a.value<Long>(Jet<2>::variable(r))[1]; };
+    constexpr Long kLook = 0.995L;
+    Long rest = 0;  // the last r where they do
+    for (Long r = 1e6L; r > 1e-3L && hole.horizon == 0; r *= kLook) {
+        const bool turned = rise(r) * rise(r / kLook) < 0;
+        for (const Long at : {turned ? root_of(rise, r, r / kLook, 63) : r, r}) {
+            if (rest > 0 && !(lapse2(at) > 0) && hole.horizon == 0) hole.horizon = 1 / root_of(lapse2, at, rest, 63);
+            if (lapse2(at) > 0) rest = at;
+        }
     }
     if (hole.horizon == 0) return bad_input("the formulas give no horizon");
     // Outward from the horizon, where V falls outside it: to the last place before it does not grow any more.

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 namespace nullscope {
 namespace {
 
 constexpr double kStep = 1.01;   // of r, between two looks at A
+constexpr int kSplits = 6;       // of a step, where the bounds of A do not keep it off 0
+constexpr double kNoDepth = 1e-3;  // of the bounds of A at one r, which are some 1e4 roundings wide
 constexpr int kSamples = 2000;   // at the slope of V
 constexpr double kSame = 1e-12;  // B A and R/r that are 1 for every r: some roundings of what formulas subtract
 constexpr double kFallsOff = 4;  // of A, at a tenth of the distance from its zero: 10 if that is simple
@@ -65,6 +68,36 @@ bool passes(const MetricFormulas& f, double zeta) {
     return false;
 }
 
+// Where A is least between two places, or greatest (sign -1), if that is not at an end.
+std::optional<double> turns(const MetricFormulas& f, double from, double to, double sign) {
+    const auto falls = [&](double zeta) {
+        const auto r = expr::Series<double, 2>(1.0) / expr::Series<double, 2>::variable(zeta);
+        return sign * f.lapse2(r).of_power(1) < 0.0;
+    };
+    if (!falls(from) || falls(to)) return {};
+    return divide(from, to, falls);
+}
+
+// The first place on the way from one place to another where A is not on the same side of 0 any more as at the first: two horizons may lie
+// within a step. Where A is above 0 it also ends where it comes down to 0 but for roundings.
+std::optional<double> other_side(const MetricFormulas& f, double from, double to, bool above, int splits = kSplits) {
+    const double sign = above ? 1.0 : -1.0;
+    const auto over = [&](double zeta) { return !(sign * f.lapse2(1.0 / zeta) > 0.0); };
+    const expr::Interval all = f.lapse2_range(1.0 / to, 1.0 / from);
+    if (above ? all.low > 0.0 : all.high < 0.0) return {};
+    if (splits > 0) {
+        const double middle = 0.5 * (from + to);
+        if (const auto before = other_side(f, from, middle, above, splits - 1)) return before;
+        return other_side(f, middle, to, above, splits - 1);
+    }
+    if (const auto turn = turns(f, from, to, sign)) {
+        const expr::Interval there = f.lapse2_range(1.0 / *turn, 1.0 / *turn);
+        const double depth = above ? kNoDepth * (there.high - there.low) : 0.0;
+        if (over(*turn) || sign * f.lapse2(1.0 / *turn) < depth) return turn;
+    }
+    return over(to) ? std::optional(to) : std::nullopt;
+}
+
 // A from far out inward: where static observers are, between horizons.
 Status find_horizons(const MetricFormulas& f, FormulaPlaces& places) {
     const auto lapse2 = [&](double zeta) { return f.lapse2(1.0 / zeta); };
@@ -78,18 +111,19 @@ Status find_horizons(const MetricFormulas& f, FormulaPlaces& places) {
         const double a = lapse2(zeta);
         if (!std::isfinite(a))
             return wrong("A", fmt::format("is not finite at r = {:.6g}, outside of any horizon", 1.0 / zeta), kHole);
-        if ((a > 0.0) == rests) continue;
-        if (rests) {
-            places.horizon = divide(before, zeta, above);
-            if (passes(f, places.horizon)) return Done{};
-            return wrong(
-                "A",
-                fmt::format("comes down to 0 at r = {:.6g} without passing through it, within the precision of doubles",
-                            1.0 / places.horizon),
-                kHole);
+        for (auto turn = other_side(f, before, zeta, rests); turn; turn = other_side(f, before, zeta, rests)) {
+            if (rests) {
+                places.horizon = above(*turn) ? *turn : divide(before, *turn, above);
+                if (passes(f, places.horizon)) return Done{};
+                return wrong("A",
+                             fmt::format("comes down to 0 at r = {:.6g} without passing through it, within the "
+                                         "precision of doubles",
+                                         1.0 / places.horizon),
+                             kHole);
+            }
+            places.outer_horizon = divide(*turn, before, above);
+            before = *turn, rests = true;
         }
-        places.outer_horizon = divide(zeta, before, above);
-        rests = true;
     }
     return wrong("A", rests ? "there is no horizon: A stays above 0 down to r = 0.001" : "is nowhere above 0", kHole);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nullscope {
 namespace {
@@ -19,12 +20,19 @@ Result<MetricFormulas> MetricFormulas::parse(const std::map<std::string, std::st
     for (const auto& [name, text] : texts) {
         const auto formula = expr::SmoothFormula::parse(text, "r");
         if (!formula) return bad_key(name, formula.error().what, "a smooth formula of r");
-        if (name == "A")
-            made.a_ = *formula;
-        else
+        if (name != "A") {
             (name == "B" ? made.b_ : made.r_) = *formula;
+            continue;
+        }
+        TRY(a, expr::Formula::parse(text, {"r"}));
+        made.a_ = *formula, made.a_text_ = std::move(*a);
     }
     return made;
+}
+
+expr::Interval MetricFormulas::lapse2_range(double low, double high) const {
+    const std::array values = {expr::Interval{low, high}};
+    return expr::range(a_text_, values);
 }
 
 Expansion::Expansion(const expr::Series<double, kTerms + 4>& series, int lead, double widest) : lead_(lead) {

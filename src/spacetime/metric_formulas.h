@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "expr/interval.h"
 #include "expr/smooth.h"
 
 namespace nullscope {
@@ -23,6 +24,8 @@ public:
     Value lapse2(const Value& r) const {
         return a_.value<double>(r);
     }
+    // Contains A of every r between the two (expr/interval.h).
+    expr::Interval lapse2_range(double low, double high) const;
     template <class Value>
     Value stretch2(const Value& r) const {  // B
         return b_ ? b_->value<double>(r) : Value(1.0) / lapse2(r);
@@ -61,6 +64,7 @@ private:
     };
     expr::SmoothFormula a_;
     std::optional<expr::SmoothFormula> b_, r_;
+    expr::Formula a_text_;  // of A, for bounds
 };
 
 // A power series about a place: how far from there it is good to a rounding, against its term of the power lead.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <memory>
 
 #include "reference/orbit.h"
@@ -115,9 +116,10 @@ TEST_CASE("formula: Schwarzschild's reference from a formula is the built-in one
 }
 
 // Largest error of the swept angle against the reference; each over 1 + d phi/d ln(delta): what the direction's last digit is worth.
-double worst_sweep(const World& world, const RayFamily& family, double r, bool rain) {
+double worst_sweep(const World& world, const RayFamily& family, double r, bool rain,
+                   std::initializer_list<Segment> segments = {Segment::kSky, Segment::kCaptured}) {
     double worst = 0.0;
-    for (const Segment segment : {Segment::kSky, Segment::kCaptured})
+    for (const Segment segment : segments)
         for (double delta = 1e-6; delta < 0.999 * family.delta_limit(segment);
              delta *= test::by_depth(1.7, 1.2, 1.05)) {
             const FanRay ray = family.ray(segment, delta);
@@ -251,6 +253,35 @@ TEST_CASE("formula: places along rays are the reference's, also where V does not
     }
     fmt::print("formula, Kottler: places of the orbit table off by {:.2g} at most\n", worst);
     CHECK(worst < kPlace);
+}
+
+TEST_CASE("formula: two horizons are found however close they are, and a double zero is told of") {
+    const auto refusal = [](const std::string& a) {
+        const auto made = make_spacetime("formula", formulas(a));
+        return made ? std::string() : made.error().message();
+    };
+    for (const double apart : {0.3, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5, 1e-6}) {
+        const std::string pair = fmt::format("(1 - 0.6/r)*(1 - {:.17g}/r)", 0.6 * (1 - apart));
+        CAPTURE(pair);
+        const World world = world_of("formula", formulas(pair));
+        CHECK(*world.spacetime->horizon_radius() == doctest::Approx(0.6).epsilon(1e-9));
+        CHECK(*world.reference->orbits()->horizon_radius() == doctest::Approx(0.6).epsilon(1e-12));
+        const RayFamily family = fan_at_rest(world, 12);
+        CHECK(worst_sweep(world, family, 12, false, {Segment::kSky}) < 4e-9);
+        // Angles at the horizon itself, which is all but a double zero of A.
+        CHECK(worst_sweep(world, family, 12, false, {Segment::kCaptured}) < 3e-5);
+        // A third zero further in is not taken for the horizon.
+        const auto third = make_spacetime("formula", formulas(pair + "*(1 - 0.1/r)"));
+        REQUIRE_MESSAGE(third, third.error().message());
+        CHECK(*test::spherical(*third)->horizon_radius() == doctest::Approx(0.6).epsilon(1e-9));
+    }
+    for (const std::string twice : {"(1 - 0.6/r)^2", "1 - 1/r + 0.25/r^2", "1 - 1.2000000001/r + 0.36000000006/r^2"})
+        CHECK_MESSAGE(refusal(twice).find("without passing through it") != std::string::npos, refusal(twice));
+    CHECK(refusal("(1 - 0.6/r)^2 + 1e-9").find("flat") != std::string::npos);
+    CHECK(refusal("(1 - 0.6/r)^2 + 1e-9/r^4").find("A stays above 0") != std::string::npos);
+    // Between a cosmological horizon and the hole's there may be little room, or none: 4/9 is where they meet.
+    CHECK(refusal("1 - 1/r - 0.14814/r^2*r^4").empty());
+    CHECK(refusal("1 - 1/r - 0.14815*r^2").find("nowhere above 0") != std::string::npos);
 }
 
 TEST_CASE("formula: circular orbits, and where there are none") {
