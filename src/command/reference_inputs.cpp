@@ -7,6 +7,7 @@
 #include "base/assets.h"
 #include "image/large_image.h"
 #include "plan/effects.h"
+#include "plan/medium.h"
 #include "render/body_images.h"
 #include "render/renderer.h"
 #include "scene/bodies.h"
@@ -49,6 +50,7 @@ Result<std::unique_ptr<const ReferenceInputs>> load_reference_inputs(const Scene
         take_notes(image->notes);
         inputs->bodies[file] = std::move(image->image);
     }
+    if (std::string word = medium_note(scene); !word.empty()) inputs->notes.push_back(std::move(word));
     return std::unique_ptr<const ReferenceInputs>(std::move(inputs));
 }
 

@@ -4,10 +4,12 @@
 
 #include <cmath>
 
+#include "base/text.h"
 #include "expr/formula.h"
 #include "scene/medium_grid.h"
 #include "spacetime/axial_metric.h"
 #include "spacetime/circular_orbit.h"
+#include "spacetime/registry.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
@@ -76,6 +78,22 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
         faults.push_back({"object.mass_suns", "missing, but there is a [medium] that shines at one frequency",
                           "the mass that gives lengths their centimetres, or object.name", "medium.kind"});
     return faults;
+}
+
+std::string medium_note(const Scene& scene) {
+    constexpr double kNoCharge = 1e-12;  // of outer inner - a^2, which is Q^2
+    if (!scene.medium || scene.medium->kind != MediumKind::kGrid) return "";
+    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+    const auto grid = load_medium_grid(scene.medium->file);
+    if (!spacetime || !grid) return "";
+    const auto hole = medium_hole(**spacetime);
+    const bool flat = !(*spacetime)->bends_light(),
+               charged = hole && std::abs(hole->outer * hole->inner - hole->a * hole->a) > kNoCharge;
+    if (!flat && !charged) return "";
+    return without_controls(fmt::format("medium.file: the matter of {} is about a hole of spin {}{}; {}",
+                                        in_quotes(scene.medium->file.filename().string()), (*grid)->spin(),
+                                        flat ? "" : " without charge",
+                                        flat ? "the scene's space is flat" : "the scene's hole has one"));
 }
 
 Status check_medium(const Spacetime& spacetime, const Scene& scene) {

@@ -167,6 +167,7 @@ private:
     gl::Info info_;
     int largest_picture_;
     std::vector<std::string> notes_;
+    std::string medium_told_;
     std::string_view told_;  // LightPath::word() of the frame before
     gl::VertexArray empty_;
     UniformBlocks blocks_;

@@ -139,10 +139,12 @@ TEST_CASE("medium grid: Kerr and Schild's azimuth is Boyer and Lindquist's and t
 TEST_CASE("medium grid: a file of another hole, or one that ends before the matter, is refused") {
     const TemporaryFolder folder("medium-faults");
     int number = 0;
-    const auto fault_of = [&](const char* metric, double spin, double outer, const GridForm& form) {
+    std::string note;
+    const auto fault_of = [&](const char* metric, double spin, double outer, const GridForm& form, double charge = 0) {
         Scene scene;
         scene.spacetime = {metric, {}};
         if (spin > 0) scene.spacetime.parameters["spin"] = spin;
+        if (charge > 0) scene.spacetime.parameters["charge"] = charge;
         scene.object.mass_suns = 1e6;
         MediumSpec& medium = scene.medium.emplace();
         medium.kind = MediumKind::kGrid, medium.outer = outer;
@@ -151,13 +153,20 @@ TEST_CASE("medium grid: a file of another hole, or one that ends before the matt
         const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
         REQUIRE(spacetime);
         const auto faults = medium_faults(**spacetime, scene);
+        note = medium_note(scene);
         return faults.empty() ? std::string() : faults.front().key + ": " + faults.front().what;
     };
     GridForm still, turning, inside;
     turning.spin = 0.9, turning.nearest = 0.8, inside.nearest = 0.5;
     CHECK(fault_of("schwarzschild", 0, 10, still) == "");
     CHECK(fault_of("kerr", 0.9, 10, turning) == "");
+    CHECK(note.empty());
     CHECK(fault_of("minkowski", 0, 10, turning) == "");
+    CHECK(note.find("about a hole of spin 0.9; the scene's space is flat") != std::string::npos);
+    CHECK(fault_of("kerr-newman", 0.9, 10, turning, 0.3) == "");
+    CHECK(note.find("of spin 0.9 without charge; the scene's hole has one") != std::string::npos);
+    CHECK(fault_of("reissner-nordstrom", 0, 10, still, 0.5) == "");
+    CHECK(note.find("of spin 0 without charge") != std::string::npos);
     CHECK(fault_of("minkowski", 0, 10, inside) == "");
     CHECK(fault_of("kerr", 0.9, 10, still).starts_with("medium.file: its matter is about a hole of spin 0,"));
     CHECK(fault_of("schwarzschild", 0, 10.1, still).starts_with("medium.outer: 10.1 is beyond the last node"));
