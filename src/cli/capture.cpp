@@ -131,9 +131,12 @@ Result<std::string> draw(const Job& job, Session* session, const Exposure& shown
         TRY(beside, side_by_side_pictures(shown));
         return capture_large_exr(*session, origin, *beside, options, file);
     }
-    TRY(captured, draw_shot(job, session, shown, options.drawing(), !options.plain, next ? &*next : nullptr));
-    TRY(written, names_faces(options) ? write_faces(origin, *captured, options)
-                                      : write_picture(file, origin, *captured, options));
+    const auto drawn = [&](const Exposure& one) {
+        return draw_shot(job, session, one, options.drawing(), !options.plain, next ? &*next : nullptr);
+    };
+    if (names_faces(options)) return draw_faces(origin, shown, options, drawn);
+    TRY(captured, drawn(shown));
+    TRY(written, write_picture(file, origin, *captured, options));
     const auto flux = flux_unit(scene, job.split || scene.split || scene.camera.stereo != Stereo::kOff);
     return flux && options.to_linear_light() ? captured->made_by + ", " + flux_words(captured->linear, *flux)
                                              : captured->made_by;

@@ -10,14 +10,6 @@ namespace {
 
 constexpr std::string_view kPlace = "%s";
 
-template <class T>
-Image<T> cut(const Image<T>& all, int left, int top, int side) {
-    if (all.empty()) return {};
-    Image<T> face(side, side, all.channels);
-    copy_part(all, left, top, side, side, face, 0, 0);
-    return face;
-}
-
 }  // namespace
 
 Status check_faces(const Scene& scene, const CaptureOptions& options) {
@@ -30,6 +22,11 @@ Status check_faces(const Scene& scene, const CaptureOptions& options) {
         return bad_input(what + "only cubes have faces", "a scene with camera.projection = \"cube\", or no %s");
     if (!options.frames.empty() || options.to_film())
         return bad_input(what + "faces are of one picture", "no --frames, or no %s");
+    if (scene.picture.auto_exposure)
+        return bad_input(what + "each face would be exposed by itself", "picture.auto_exposure = \"off\", or no %s");
+    if (scene.path && scene.picture.shutter > 0.0)
+        return bad_input(what + "a face's file says one camera, and picture.shutter gathers those of a [path]",
+                         "a scene without one of both, or no %s");
     if (scene.camera.stereo != Stereo::kOff || !options.split.empty() || options.raydata || options.layers ||
         !options.st_map.empty())
         return bad_input(what + "faces are of one camera's colours",
@@ -52,22 +49,23 @@ CameraSpec face_camera(const CameraSpec& camera, int face) {
     return seen;
 }
 
-Status write_faces(const PictureOrigin& origin, const Captured& captured, const CaptureOptions& options) {
-    const Scene& scene = origin.scene;
-    const int side = scene.camera.width / 3;
+Result<std::string> draw_faces(const PictureOrigin& origin, const Exposure& shown, const CaptureOptions& options,
+                               const DrawFace& draw) {
+    std::string made_by;
     for (int face = 0; face < 6; ++face) {
-        const int left = face % 3 * side, top = face / 3 * side;
-        Captured one;
-        one.linear = cut(captured.linear, left, top, side);
-        one.display = cut(captured.display, left, top, side);
-        one.made_by = captured.made_by;
+        const auto seen_by = [&](Scene scene) {
+            scene.camera = face_camera(scene.camera, face);
+            return scene;
+        };
+        TRY(captured, draw(changed(shown, seen_by)));
         PictureOrigin seen = origin;
-        seen.scene.camera = face_camera(scene.camera, face);
+        seen.scene = seen_by(origin.scene);
         std::string name = options.output;
         name.replace(name.find(kPlace), kPlace.size(), kFaceNames[static_cast<std::size_t>(face)]);
-        if (Status written = write_picture(name, seen, one, options); !written) return written;
+        TRY(written, write_picture(name, seen, *captured, options));
+        made_by = captured->made_by;
     }
-    return Done{};
+    return made_by;
 }
 
 }  // namespace nullscope::cli

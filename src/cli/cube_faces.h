@@ -1,10 +1,12 @@
 // The faces of a cube's picture as six files: -o NAME-%s.png.
 #pragma once
 #include <array>
+#include <functional>
 #include <string>
 
 #include "base/result.h"
 #include "cli/picture_file.h"
+#include "scene/exposure.h"
 
 namespace nullscope::cli {
 
@@ -19,7 +21,10 @@ Status check_faces(const Scene& scene, const CaptureOptions& options);
 // The pinhole camera of 90 degrees whose picture that face is. camera: of a cube.
 CameraSpec face_camera(const CameraSpec& camera, int face);
 
-// Cuts captured, the picture of all faces, into files. origin: of that picture.
-Status write_faces(const PictureOrigin& origin, const Captured& captured, const CaptureOptions& options);
+// Draws each face by its camera, so that its file draws it again, and writes it. draw: what that camera sees. origin: of a picture of all faces.
+// Returns what the last was made by.
+using DrawFace = std::function<Result<Captured>(const Exposure& shown)>;
+Result<std::string> draw_faces(const PictureOrigin& origin, const Exposure& shown, const CaptureOptions& options,
+                               const DrawFace& draw);
 
 }  // namespace nullscope::cli

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "base/text.h"
+#include "scene/picture_size.h"
 #include "scenefile/scene_file.h"
 
 namespace nullscope::cli {
@@ -22,13 +23,11 @@ inline Result<Size> parse_size(const std::string& text) {
 inline Result<Scene> sized(Scene scene, const std::string& size_text) {
     if (size_text.empty()) return scene;
     TRY(size, parse_size(size_text));
-    if (scene.camera.projection == Projection::kCube && (size->width % 3 != 0 || size->width * 2 != size->height * 3))
-        return bad_input(fmt::format("--size {}: a cube's faces are squares", size_text),
-                         "three columns and two rows of them, as 1536x1024");
-    const auto set = [&](CameraSpec& camera) { camera.width = size->width, camera.height = size->height; };
-    set(scene.camera);
-    if (scene.path)
-        for (PathKey& key : scene.path->keys) set(key.camera);
+    if (scene.camera.projection == Projection::kCube && !holds_cube(size->width, size->height))
+        return bad_input(
+            fmt::format("--size {}: {} x {} px do not hold a cube's faces", size_text, size->width, size->height),
+            fmt::format("{}, {}", cube_size_words(size->width, size->height, "x"), kCubeSizes));
+    set_size(scene, size->width, size->height);
     return scene;
 }
 // By its file or name.

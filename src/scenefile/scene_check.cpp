@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "observer/ball_motion.h"
@@ -15,6 +16,7 @@
 #include "plan/moving.h"
 #include "plan/sides.h"
 #include "scene/bodies.h"
+#include "scene/picture_size.h"
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
 #include "scenefile/scene_keys.h"
@@ -65,19 +67,33 @@ bool same_picture(const CameraSpec& a, const CameraSpec& b) {
            a.pixel_aspect == b.pixel_aspect && a.stereo == b.stereo && a.warp == b.warp;
 }
 
+Faults check_cube(const CameraSpec& camera) {
+    const char* projection = "camera.projection";
+    Faults faults;
+    if (!holds_cube(camera.width, camera.height))
+        faults.push_back(
+            {"camera.size", fmt::format("{} x {} px do not hold a cube's faces", camera.width, camera.height),
+             fmt::format("[{}], {}", cube_size_words(camera.width, camera.height, ", "), kCubeSizes), projection});
+    for (const auto& [key, value, least] : {std::tuple{"camera.pixel_aspect", camera.pixel_aspect, 1.0},
+                                            {"camera.shift_x", camera.shift_x, 0.0},
+                                            {"camera.shift_y", camera.shift_y, 0.0}})
+        if (value != least)
+            faults.push_back({key, "a cube's faces are squares that meet",
+                              fmt::format("{} where projection = \"cube\"", least), projection});
+    return faults;
+}
+
 Faults check_lens(const Scene& scene) {
     const CameraSpec& camera = scene.camera;
     const char *fov = "camera.fov", *projection = "camera.projection";
+    Faults faults;
     if (camera.projection == Projection::kPinhole) {
         if (camera.plane_width > 0.0 && std::isfinite(camera.plane_width) && camera.plane_width < kWidestPlane)
             return {};
         return {{fov, "too wide for a pinhole", "(0, 180), or another projection", fov}};
     }
-    if (camera.projection == Projection::kCube &&
-        (camera.width % 3 != 0 || camera.width * 2 != camera.height * 3 || camera.pixel_aspect != 1.0 ||
-         camera.shift_x != 0.0 || camera.shift_y != 0.0))
-        return {{"camera.size", "a cube's faces are squares",
-                 "three columns and two rows of them, as [1536, 1024]; no shift", projection}};
+    if (camera.projection == Projection::kCube) append(faults, check_cube(camera));
+    if (!faults.empty()) return faults;
     if (camera.projection != Projection::kCube && camera.plane_width < (1.0 - 1e-12) * kNarrowestWide)
         return {{fov, fmt::format("too narrow for projection = \"{}\"", projection_name(camera.projection)),
                  "[10, 360], or projection = \"pinhole\"", fov}};
@@ -268,6 +284,11 @@ void for_each_section(
         holder.bodies = {scene.bodies[i]};
         f(kind_of(scene.bodies[i]).key, body_section(scene, i), holder);
     }
+}
+
+void settle_size(Scene& scene, const GivenKeys& given) {
+    if (scene.camera.projection == Projection::kCube && !given("camera.size"))
+        scene.camera.width = kCubeWidth, scene.camera.height = kCubeWidth / 3 * 2;
 }
 
 void settle_defaults(Scene& scene, const GivenKeys& given) {

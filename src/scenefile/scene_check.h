@@ -19,7 +19,8 @@ void for_each_section(
     const Scene& scene,
     const std::function<void(std::string_view section, const std::string& label, const Scene& holder)>& f);
 
-// Defaults that depend on other keys, of those that are not given.
+// Defaults that depend on other keys, of those that are not given: of the picture's size, before the camera is checked, and of the rest.
+void settle_size(Scene& scene, const GivenKeys& given);
 void settle_defaults(Scene& scene, const GivenKeys& given);
 
 std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given);

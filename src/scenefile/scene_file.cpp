@@ -304,6 +304,7 @@ Result<Scene> SceneReader::read(const toml::table& root) {
         }
     }
     if (reports_.empty()) {  // what follows compares values with each other
+        settle_size(scene_, given_);
         for (const SceneFault& fault : check_camera(scene_, given_)) report(fault);
         if (const toml::node* keys = root.at_path("path.key").node(); keys != nullptr && scene_.path)
             read_path_keys(*keys);

@@ -159,7 +159,7 @@ constexpr SceneKey kKeys[] = {
     {"camera", "shift_y", KeyType::kNumber, "", "0", kShift, "", "Likewise upward, in heights of the picture.",
      [](auto& s) { return &s.camera.shift_y; }},
     {"camera", "size", KeyType::kSize, "px", "[1280, 720]", closed(1.0, 65536.0), "",
-     "Width and height of the picture.", kPictureSize},
+     "Width and height of the picture. Of a cube the default is [1536, 1024].", kPictureSize},
     {"camera", "pixel_aspect", KeyType::kNumber, "", "1", closed(0.1, 10.0), "", "Width of a pixel over its height.",
      [](auto& s) { return &s.camera.pixel_aspect; }},
     {"camera", "exposure", KeyType::kNumber, "EV", "0", closed(-30.0, 30.0), "",

@@ -265,6 +265,7 @@ Scene section_defaults(const Scene& holder, std::string_view section) {
     for (const SceneKey& key : scene_keys())
         if (key.section == section && key.type == KeyType::kChoice && key.member.readable())
             key.member.set(blank, key.member.get(holder));
+    settle_size(blank, [](const std::string&) { return false; });
     settle_defaults(blank, [](const std::string&) { return false; });
     return blank;
 }
