@@ -1,6 +1,6 @@
 // The Radiance half of image/image_file.h.
 // Format: Ward, "Real Pixels", Graphics Gems II (1991), and the Radiance reference manual: RGBE scanlines, plain or
-// run-length coded by component; rows first ("-Y height +X width" is what writers produce).
+// run-length coded, by pixel or by component; rows first ("-Y height +X width" is what writers produce).
 #include "image/colour_space.h"
 #include "image/image_formats.h"
 
@@ -33,11 +33,25 @@ std::string next_line(std::string_view& bytes) {
     return text;
 }
 
+// Pixel by pixel, or in the older runs: a pixel of (1, 1, 1, n) stands for n times the one before it; of several in a row each has the next
+// eight bits of the count.
 bool read_plain(std::string_view& bytes, std::vector<Rgbe>& row) {
-    const std::size_t size = row.size() * sizeof(Rgbe);
-    if (bytes.size() < size) return false;
-    std::memcpy(row.data(), bytes.data(), size);
-    bytes.remove_prefix(size);
+    constexpr int kMostShift = 24;
+    int shift = 0;
+    for (std::size_t x = 0; x < row.size();) {
+        Rgbe pixel;
+        if (bytes.size() < pixel.size()) return false;
+        std::memcpy(pixel.data(), bytes.data(), pixel.size());
+        bytes.remove_prefix(pixel.size());
+        if (pixel[0] != 1 || pixel[1] != 1 || pixel[2] != 1) {
+            row[x++] = pixel, shift = 0;
+            continue;
+        }
+        const std::size_t count = static_cast<std::size_t>(pixel[3]) << shift;
+        if (x == 0 || shift > kMostShift || count > row.size() - x) return false;
+        std::fill_n(row.begin() + static_cast<std::ptrdiff_t>(x), count, row[x - 1]);
+        x += count, shift += 8;
+    }
     return true;
 }
 
@@ -73,6 +87,8 @@ void read_light(const std::string& line, HdrPicture& picture) {
         if (std::sscanf(line.c_str(), "PRIMARIES= %lf %lf %lf %lf %lf %lf %lf %lf", &p.red.x, &p.red.y, &p.green.x,
                         &p.green.y, &p.blue.x, &p.blue.y, &p.white.x, &p.white.y) == 8)
             picture.to_rec709 = rec709_from(p);
+        else
+            picture.unused.push_back(line + ": not eight numbers");
         return;
     }
     for (const std::string_view key : {"EXPOSURE=", "COLORCORR=", "GAMMA=", "PIXASPECT="})

@@ -51,7 +51,7 @@ public:
         jpeg_.err = jpeg_std_error(&errors_);
         errors_.error_exit = on_error;
         errors_.emit_message = [](j_common_ptr jpeg, int) {  // other warnings are of no consequence
-            if (jpeg->err->msg_code == JWRN_HUFF_BAD_CODE) on_error(jpeg);
+            if (jpeg->err->msg_code == JWRN_HUFF_BAD_CODE || jpeg->err->msg_code == JWRN_HIT_MARKER) on_error(jpeg);
         };
         progress_.progress_monitor = [](j_common_ptr jpeg) {
             if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMostScans)
@@ -78,11 +78,12 @@ public:
         if (!read_row()) return bad_input(error_);
         const JSAMPLE* from = bytes_.data();
         for (int x = 0; x < width; ++x, from += inks_ ? 4 : 3)
-            for (int c = 0; c < 3; ++c) *row++ = table_[inks_ ? (from[c] * from[3] + 127) / 255 : from[c]];
+            for (int c = 0; c < 3; ++c) *row++ = table_[inks_ ? (lit(from[c]) * lit(from[3]) + 127) / 255 : from[c]];
         return Done{};
     }
 
 private:
+    int lit(JSAMPLE ink) const { return jpeg_.saw_Adobe_marker != FALSE ? ink : 255 - ink; }
     static JpegRows& of(j_common_ptr jpeg) { return *static_cast<JpegRows*>(jpeg->client_data); }
     [[noreturn]] void leave(const char* words) {
         error_ = words;
@@ -161,7 +162,7 @@ private:
     std::array<float, 256> table_{};
     std::string error_;
     std::vector<JSAMPLE> bytes_;
-    bool inks_ = false;  // cyan, magenta, yellow and black, each as Adobe has it: 255 is none
+    bool inks_ = false;  // cyan, magenta, yellow and black: with Adobe's marker 255 is none of it, without it 0
 };
 
 }  // namespace

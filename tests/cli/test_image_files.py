@@ -29,6 +29,56 @@ def to_709(pixel):
 def exif(orientation, order):
     return ((b"II" if order == "<" else b"MM") + struct.pack(order + "HI", 42, 8) + struct.pack(order + "HHHIHHI", 1, 0x112, 3, 1, orientation, 0, 0))
 
+def tiled_exr(width, height, value, kind=2, mipmaps=False):
+    """In tiles of 32 px; of mip levels the coarser ones hold 9. kind of the channels: 0 whole numbers, 1 half, 2 float."""
+    side, form = 32, "Ief"[kind]
+    levels = max(width, height).bit_length() if mipmaps else 1
+    chans = b"".join(n.encode() + b"\0" + struct.pack("<iBxxxii", kind, 0, 1, 1) for n in "BGR") + b"\0"
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    head = (attribute("channels", "chlist", chans) + attribute("compression", "compression", b"\0") + attribute("dataWindow", "box2i", window) +
+            attribute("displayWindow", "box2i", window) + attribute("lineOrder", "lineOrder", b"\0") +
+            attribute("pixelAspectRatio", "float", struct.pack("<f", 1)) + attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0)) +
+            attribute("screenWindowWidth", "float", struct.pack("<f", 1)) +
+            attribute("tiles", "tiledesc", struct.pack("<IIB", side, side, 1 if mipmaps else 0)) + b"\0")
+    start, blocks = b"\x76\x2f\x31\x01" + struct.pack("<I", 2 | 0x200) + head, []
+    for level in range(levels):
+        w, h = max(width >> level, 1), max(height >> level, 1)
+        for ty in range((h + side - 1) // side):
+            for tx in range((w + side - 1) // side):
+                across, down = min(side, w - side * tx), min(side, h - side * ty)
+                body = struct.pack(f"<{3 * across * down}{form}", *[value(side * tx + x, side * ty + y) if level == 0 else 9
+                                                                    for y in range(down) for _ in range(3) for x in range(across)])
+                blocks.append(struct.pack("<5i", tx, ty, level, level, len(body)) + body)
+    at, offsets = len(start) + 8 * len(blocks), []
+    for block in blocks:
+        offsets.append(at)
+        at += len(block)
+    return start + struct.pack(f"<{len(offsets)}Q", *offsets) + b"".join(blocks)
+
+
+def flat_jpeg(width, height, codes, adobe=None):
+    """One colour, a code for each component, as stored. adobe: the transform that Adobe's marker names."""
+    count = len(codes)
+
+    def marker(kind, body):
+        return b"\xff" + bytes((kind,)) + struct.pack(">H", len(body) + 2) + body
+    tables = marker(0xdb, b"\0" + b"\x01" * 64)
+    tables += marker(0xc4, b"\0" + bytes([0, 0, 0, 12] + [0] * 12) + bytes(range(12)))   # DC: each of 12 categories in 4 bits
+    tables += marker(0xc4, b"\x10" + bytes([1] + [0] * 15) + b"\0")                       # AC: the block's end in one
+    frame = marker(0xc0, struct.pack(">BHHB", 8, height, width, count) + b"".join(bytes((c + 1, 0x11, 0)) for c in range(count)))
+    scan = marker(0xda, bytes((count,)) + b"".join(bytes((c + 1, 0)) for c in range(count)) + b"\0\x3f\0")
+    bits, last = "", [0] * count
+    for _ in range(((width + 7) // 8) * ((height + 7) // 8)):
+        for c, code in enumerate(codes):
+            step = 8 * (code - 128) - last[c]
+            last[c] += step
+            size = abs(step).bit_length()
+            bits += f"{size:04b}" + (f"{step if step > 0 else step + (1 << size) - 1:0{size}b}" if size else "") + "0"
+    bits += "1" * (-len(bits) % 8)
+    data = bytes(int(bits[i:i + 8], 2) for i in range(0, len(bits), 8)).replace(b"\xff", b"\xff\0")
+    named = marker(0xee, b"Adobe" + struct.pack(">HHHB", 100, 0, 0, adobe)) if adobe is not None else b""
+    return b"\xff\xd8" + named + tables + frame + scan + data + b"\xff\xd9"
+
 
 class ImageFiles(support.CliTest):
     drawn, near = test_image_light.ImageLight.drawn, test_image_light.ImageLight.near
@@ -209,6 +259,70 @@ class ImageFiles(support.CliTest):
         self.near(self.middle("n.exr"), (0.7,) * 3)
         for words in ("1 numbers below 0", "64 numbers that are NaN", "64 infinite numbers"):
             self.assertIn(words, self.notes)
+
+    def test_kinds_of_exr(self):
+        half = lambda x, y: 0.5 + (x + y) / 256
+        wanted = None
+        for name, data in (("lines", plain_exr(64, 32, rgb(half, half, half))), ("tiles", tiled_exr(64, 32, half)),
+                           ("mips", tiled_exr(64, 32, half, mipmaps=True)), ("half", tiled_exr(64, 32, half, kind=1, mipmaps=True))):
+            self.write("k.exr", data)
+            got = self.drawn("k.exr", size="8x4", fov=150)
+            wanted = wanted or got
+            self.assertEqual(got, wanted, name)
+            self.assertEqual(self.notes, "", name)
+        self.write("whole.exr", tiled_exr(64, 32, lambda x, y: 3, kind=0))
+        self.grey_is("whole.exr", 3.0)
+
+    def test_codes_of_a_png_of_few_bits(self):
+        """A grey of 1, 2, 4 bits, of a palette, with a colour that is clear, interlaced."""
+        def few(bits, kind, code, chunks=(), interlaced=0):
+            passes = ((0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2), (0, 1, 1, 2)) if interlaced else ((0, 0, 1, 1),)
+            rows = b""
+            for x, y, across, down in passes:
+                for _ in range(y, 32, down):
+                    text = f"{code:0{bits}b}" * len(range(x, 64, across))
+                    rows += b"\0" + bytes(int(text[i:i + 8].ljust(8, "0"), 2) for i in range(0, len(text), 8))
+
+            def chunk(name, body):
+                return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
+            return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 64, 32, bits, kind, 0, 0, interlaced)) +
+                    b"".join(chunk(*c) for c in chunks) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+        for interlaced in (0, 1):
+            for bits, code in ((1, 1), (2, 1), (4, 7), (8, 99), (16, 12345)):
+                self.write("f.png", few(bits, 0, code, interlaced=interlaced))
+                self.grey_is("f.png", linear(code / (2**bits - 1)))
+            for bits in (1, 2, 4, 8):
+                colours = [(b"PLTE", bytes((9, 9, 9, 77, 77, 77)))]
+                self.write("f.png", few(bits, 3, 1, colours, interlaced))
+                self.grey_is("f.png", linear(77 / 255))
+                self.write("f.png", few(bits, 3, 1, [*colours, (b"tRNS", bytes((255, 128)))], interlaced))
+                self.grey_is("f.png", 128 / 255 * linear(77 / 255))
+            self.write("f.png", few(4, 0, 7, [(b"tRNS", struct.pack(">H", 7))], interlaced))
+            self.grey_is("f.png", 0)
+
+    def test_inks_of_a_jpeg(self):
+        """Grey and colours; cyan, magenta, yellow and black as Adobe has them, 255 for none, and as the standard has."""
+        self.write("g.jpg", flat_jpeg(64, 32, [99]))
+        self.near(self.middle("g.jpg"), (linear(99 / 255),) * 3, 0.02)
+        for name, codes, adobe, wanted in (("rgb", (200, 100, 50), 0, (200, 100, 50)), ("adobe", (200, 100, 50, 204), 0, (160, 80, 40)),
+                                           ("plain", (55, 155, 205, 51), None, (160, 80, 40))):
+            self.write(name + ".jpg", flat_jpeg(64, 32, codes, adobe))
+            self.near(self.middle(name + ".jpg"), [linear(v / 255) for v in wanted], 0.02)
+        whole = flat_jpeg(64, 32, (200, 100, 50), 0)
+        self.write("cut.jpg", whole[:-20] + whole[-2:])   # and an end all the same
+        self.refused_image("cut.jpg", [])
+
+    def test_runs_of_an_old_radiance_picture(self):
+        """A pixel of (1, 1, 1, n) stands for the one before it n times, several of them in a row for digits to the base of 256."""
+        def row(y):
+            return bytes((128, 100 + y, 64, 129)) + bytes((1, 1, 1, 44, 1, 1, 1, 1))   # 1 + 44 + 256 = 301 px
+        self.write("old.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 301\n" + b"".join(row(y) for y in range(32)))
+        for x, pixel in enumerate(self.drawn("old.hdr", size="8x4")[1]):
+            self.near(pixel[::2], (1.0, 0.5))
+            self.assertTrue(100 / 128 < pixel[1] < 132 / 128, pixel)
+        for cut in (b"\x01\x01\x01\x05" * 32, bytes((128, 128, 128, 129)) + b"\x01\x01\x01\xff\x01\x01\x01\xff"):
+            self.write("bad.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 301\n" + cut)
+            self.refused_image("bad.hdr", ["cut off or damaged"])
 
 
 if __name__ == "__main__":
