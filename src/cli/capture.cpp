@@ -1,9 +1,11 @@
 // nullscope capture: a picture of a scene in a file.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -24,6 +26,7 @@
 #include "command/arguments.h"
 #include "command/shot.h"
 #include "command/stereo_capture.h"
+#include "image/picture_texts.h"
 #include "observer/path.h"
 #include "plan/shutter.h"
 #include "render/picture_bands.h"
@@ -296,10 +299,27 @@ Status draw_all(const Job& job, const CaptureOptions& options, FrameStore* store
     return Done{};
 }
 
-Status finish_film(const Job& job, const CaptureOptions& options) {
+// What a film says of itself: as its pictures do, of all of them. picture: one of them, which knows the driver.
+Result<std::map<std::string, std::string>> film_words(const Job& job, const CaptureOptions& options,
+                                                      const std::string& picture) {
+    PictureOrigin origin = origin_of(job, options, job.scene, true, std::nullopt);
+    origin.options +=
+        fmt::format("{}--frames {}:{}", origin.options.empty() ? "" : " ", job.frames.first, job.frames.end);
+    if (!job.path) origin.options += fmt::format(" --time-frame {}", job.time_frame);
+    if (!options.ffmpeg.empty()) origin.options += fmt::format(" -- {}", fmt::join(options.ffmpeg, " "));
+    TRY(said, load_texts(picture));
+    origin.renderer = (*said)["nullscope.renderer"], origin.version = kVersionText;
+    TRY(words, picture_words(origin));
+    words->insert({"title", job.scene.name});
+    return std::move(*words);
+}
+
+Status finish_film(const Job& job, const CaptureOptions& options, FrameStore& store) {
     const double rate = job.scene.path ? job.scene.path->rate : PathSpec{}.rate;
     const int count = job.frames.end - job.frames.first;
-    TRY(made, encode_film({film_folder(options), job.frames.first, count, rate, options.output, options.ffmpeg}));
+    TRY(words, film_words(job, options, store.file(job.frames.first)));
+    TRY(made, encode_film({film_folder(options), job.frames.first, count, rate, options.output, options.ffmpeg,
+                           std::move(*words)}));
     std::error_code error;
     std::filesystem::remove_all(film_folder(options), error);
     const auto [width, height] = stereo_size(job.scene.camera);
@@ -340,7 +360,7 @@ Status run_capture(const CaptureOptions& given) {
     if (!options.quiet) say_backwards(*job);
     TRY(store, store_of(*job, options));
     TRY(drawn, draw_all(*job, options, store->get()));
-    return options.to_film() ? finish_film(*job, options) : Status(Done{});
+    return options.to_film() ? finish_film(*job, options, **store) : Status(Done{});
 }
 
 }  // namespace

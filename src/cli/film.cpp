@@ -8,7 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <optional>
+#include <string_view>
 
 #include "base/atomic_file.h"
 #include "base/text.h"
@@ -23,11 +23,15 @@ using FilmWords = std::vector<std::string>;
 struct FilmKind {
     const char *ending, *options;
     bool is_rgb = false;
+    const char* texts = "";  // so that it says what it was made from by any keyword
 };
+constexpr const char* kAnyKeyword = "-movflags +use_metadata_tags";
 constexpr std::array kKinds{
-    FilmKind{".mp4", "-c:v libx264 -crf 16 -pix_fmt yuv420p -movflags +faststart"},      // plays everywhere
-    FilmKind{".mov", "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le"},  // ProRes 422 HQ, to be edited
-    FilmKind{".mkv", "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt bgr0", true},              // without loss
+    FilmKind{".mp4", "-c:v libx264 -crf 16 -pix_fmt yuv420p -movflags +faststart", false,
+             kAnyKeyword},  // plays everywhere
+    FilmKind{".mov", "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le", false,
+             kAnyKeyword},                                                   // ProRes 422 HQ, to be edited
+    FilmKind{".mkv", "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt bgr0", true},  // without loss
     FilmKind{".webm", "-c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -pix_fmt yuv420p"},
 };
 constexpr const char* kEvenSides = "crop=trunc(iw/2)*2:trunc(ih/2)*2";  // 4:2:0 halves them
@@ -88,6 +92,17 @@ void add_words(FilmWords& words, const std::string& blanks_between) {
     for (std::string& word : split(blanks_between, ' ')) words.push_back(std::move(word));
 }
 
+// Texts as ffmpeg reads them: of any length, which words of a command line may not be.
+std::string ffmetadata(const std::map<std::string, std::string>& texts) {
+    std::string text = ";FFMETADATA1\n";
+    const auto add = [&](const std::string& word) {
+        for (const char c : word)
+            text += (std::string_view("=;#\\\n").find(c) == std::string_view::npos ? "" : "\\") + std::string(1, c);
+    };
+    for (const auto& [keyword, value] : texts) add(keyword), text += '=', add(value), text += '\n';
+    return text;
+}
+
 bool names_codec(const std::string& option) {
     constexpr std::array kNames{"-c", "-codec", "-vcodec", "-c:v", "-codec:v", "-c:v:0", "-codec:v:0"};
     return std::ranges::find(kNames, option) != kNames.end();
@@ -106,6 +121,8 @@ std::string film_endings() {
 bool have_ffmpeg() { return run_quietly({"ffmpeg", "-loglevel", "quiet", "-version"}).how.empty(); }
 
 Status encode_film(const Film& film) {
+    const std::string texts = film.folder + "/texts";
+    TRY(said, write_text_atomically(texts, ffmetadata(film.texts)));
     return write_atomically(film.output, [&](const std::filesystem::path& part) -> Status {
         FilmWords words;
         // -xerror: without it the status is 0 also where the film's end could not be written.
@@ -113,8 +130,10 @@ Status encode_film(const Film& film) {
                                      film.first));
         words.push_back(percent_doubled(film.folder) + "/%05d.png");
         const FilmKind& kind = *kind_of(film.output);
+        words.insert(words.end(), {"-f", "ffmetadata", "-i", texts, "-map_metadata", "1"});
         add_words(words, fmt::format("-frames:v {} -vf {}{}", film.count, kEvenSides, kind.is_rgb ? "" : kYuv));
         if (std::ranges::none_of(film.options, names_codec)) add_words(words, kind.options);
+        if (*kind.texts != 0) add_words(words, kind.texts);
         words.insert(words.end(), film.options.begin(), film.options.end());
         words.push_back(part.string());
         const Ended ended = run_quietly(std::move(words));

@@ -1,5 +1,6 @@
 // Films: numbered pictures made into one file by the ffmpeg program.
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Film {
     // Options of ffmpeg for the output, after those that go with its name; where one of them names a codec, those are
     // left out.
     std::vector<std::string> options{};
+    std::map<std::string, std::string> texts{};  // what it says of itself, by keyword
 };
 // Under its name only when complete. Errors: ffmpeg is missing or fails; one line, with the first that it said.
 Status encode_film(const Film& film);

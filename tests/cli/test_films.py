@@ -3,8 +3,10 @@
 
 ffmpeg is replaced by a program that writes down which pictures it was given.
 """
+import hashlib
 import json
 import os
+import re
 import resource
 import shutil
 import signal
@@ -25,7 +27,8 @@ rows = []
 for frame in range(first, first + count):
     file = pattern % frame
     rows.append({"hash": hashlib.sha256(open(file, "rb").read()).hexdigest(), "time": os.stat(file).st_mtime_ns})
-json.dump({"rows": rows, "words": words}, open(words[-1], "w"))
+texts = open(words[words.index("ffmetadata") + 2]).read()
+json.dump({"rows": rows, "words": words, "texts": texts}, open(words[-1], "w"))
 """
 DYING_FFMPEG = """#!/bin/sh
 case "$*" in *-version*) exit ;; esac
@@ -82,6 +85,13 @@ class FilmTest(support.CliTest):
 
     def words(self, name):
         return json.loads((self.folder / name).read_text())["words"]
+
+    def texts(self, name):
+        """What the film says of itself, as ffmpeg is told."""
+        lines = json.loads((self.folder / name).read_text())["texts"].replace("\\\n", "\0").splitlines()
+        self.assertEqual(lines[0], ";FFMETADATA1")
+        unquoted = lambda text: re.sub(r"\\(.)", r"\1", text).replace("\0", "\n")
+        return {key: unquoted(value) for key, value in (re.fullmatch(r"([\w.]+)=(.*)", line).groups() for line in lines[1:])}
 
     def hashes(self, name):
         return [row["hash"] for row in self.film(name)]
@@ -165,6 +175,20 @@ class Encoders(FilmTest):
         words = self.words("film.mp4")
         self.assertEqual((words.count("-c:v"), words[words.index("-c:v") + 1], "-crf" in words), (1, "libx265", False))
 
+    def test_a_film_says_what_it_was_made_from(self):
+        """As its pictures do, of all of them: the scene's text is a scene, and draws them again."""
+        title = 'Film; = # \\\\ größe'
+        self.write("scene.toml", f'name = "{title}"\n' + SCENE)
+        self.capture(*SIZE, "--time-step", "0.25", "--frames", "2:5", "-o", "film.mkv", "--", "-crf", "9")
+        said = self.texts("film.mkv")
+        self.assertEqual(said["title"], title.replace("\\\\", "\\"))
+        for word in ("scene_hash", "renderer", "version"):
+            self.assertTrue(said[f"nullscope.{word}"], word)
+        self.assertEqual(said["nullscope.options"], "--method strip --time-step 0.25 --frames 2:5 --time-frame 2 -- -crf 9")
+        self.write("again.toml", said["nullscope.scene_text"])
+        self.run_nullscope("capture", "again.toml", *said["nullscope.options"].split(" -- ")[0].split(), "-o", "again%d.png")
+        self.assertEqual([hashlib.sha256((self.folder / f"again{n}.png").read_bytes()).hexdigest() for n in (2, 3, 4)], self.hashes("film.mkv"))
+
     def test_words_for_ffmpeg_without_a_film(self):
         for words in (("-o", "a.png", "--", "-crf", "12"), ("more", "-o", "film.mp4"), ("more",)):
             self.refused("capture", "scene.toml", *self.SHORT, *words, says=["not expected here", "after --"],
@@ -207,6 +231,20 @@ class RealFfmpeg(support.CliTest):
             self.assertEqual(film.get("color_space"), "gbr" if codec == "ffv1" else "bt709")
         self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", "film.mp4", "--", "-c:v", "mpeg4", "-q:v", "2")
         self.assertEqual(self.probe("film.mp4")["codec_name"], "mpeg4")
+
+    def test_what_films_say(self):
+        """Of any length, by ffprobe; Matroska has its keywords in capitals."""
+        way = "9" + " + 0.1*t" * 60
+        balls = "".join(f'[[ball]]\nmotion = "path"\nx = "{way}"\ny = "{i}"\nz = "0"\nradius = 0.3\n' for i in range(20))
+        self.write("scene.toml", SCENE + balls)
+        for ending in (".mp4", ".mov", ".mkv", ".webm"):
+            self.run_nullscope("capture", "scene.toml", "--size", "16x10", "--time-step", "0.25", "--frames", "0:2", "-o", "film" + ending)
+            out = subprocess.run(["ffprobe", "-v", "error", "-of", "json", "-show_entries", "format_tags", "film" + ending],
+                                 cwd=self.folder, capture_output=True, check=True).stdout
+            said = {key.lower(): value for key, value in json.loads(out)["format"]["tags"].items()}
+            self.assertGreater(len(said["nullscope.scene_text"]), 10000)
+            self.write("again.toml", said["nullscope.scene_text"])
+            self.run_nullscope("plan", "again.toml")
 
     def test_colours(self):
         """A plain saturated sky: a player shows the colour of the picture."""
