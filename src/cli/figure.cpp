@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/photon_ring_figure.h"
+#include "cli/table_file.h"
 #include "command/svg.h"
 #include "reference/isoradial.h"
 #include "reference/reference.h"
@@ -132,17 +133,19 @@ struct FigureOptions {
     std::string name, output, scene;
     int rings = 8;
     std::vector<int> angles;
+    GivenWords given;
 };
 
 // file and, beside it, the table as CSV.
 Result<int> photon_ring(const FigureOptions& options, const std::filesystem::path& file) {
-    TRY(scene, load_scene(options.scene.empty() ? "photon-ring" : options.scene));
+    const std::string name = options.scene.empty() ? "photon-ring" : options.scene;
+    TRY(scene, load_scene(name));
     TRY(figure, photon_ring_figure(*scene, options.rings, options.angles));
     const auto table = std::filesystem::path(file).replace_extension(".csv");
     if (table == file)
         return bad_input(fmt::format("-o {}: the table beside it has that name", file.string()), "a name in .svg");
-    TRY(csv, write_text_atomically(table, figure->csv));
-    TRY(svg, write_text_atomically(file, figure->svg));
+    TRY(written, write_table(table, figure->csv, file, figure->svg,
+                             {*scene, name, options.given.words(), "reference tracer", figure->columns}));
     fmt::print("{}\n{}, {}\n", figure->table, file.string(), table.string());
     return 0;
 }
@@ -150,6 +153,13 @@ Result<int> photon_ring(const FigureOptions& options, const std::filesystem::pat
 Result<int> run_figure(const FigureOptions& options) {
     const std::string file = options.output.empty() ? options.name + ".svg" : options.output;
     if (options.name == "photon-ring") return photon_ring(options, file);
+    for (const char* option : {"--rings", "--angles"})
+        if (options.given.has(option))
+            return bad_input(fmt::format("{}: {} has no subrings", option, options.name), "with photon-ring");
+    if (options.name != "isoradials" && !options.scene.empty())
+        return bad_input(fmt::format("--scene {}: {} is of a Schwarzschild hole, whose camera is its own",
+                                     options.scene, options.name),
+                         "with isoradials and photon-ring");
     TRY(svg, options.name == "bending"     ? bending()
              : options.name == "ray-types" ? ray_types()
                                            : isoradials(options.scene.empty() ? "luminet" : options.scene));
@@ -166,6 +176,7 @@ void add_figure(Command& parent) {
         "Draw a figure as SVG: rays near the critical one, types of rays, isoradials (images of rings of the disc), or "
         "the widths of a photon ring's subrings",
         run_figure);
+    options.given.of(command);
     command.add_option("name", &options.name, "bending, ray-types, isoradials or photon-ring")
         .required()
         .one_of({"bending", "ray-types", "isoradials", "photon-ring"});

@@ -10,6 +10,7 @@
 #include "base/atomic_file.h"
 #include "base/progress.h"
 #include "cli/command.h"
+#include "cli/table_file.h"
 #include "command/arguments.h"
 #include "command/capture_picture.h"
 #include "command/curve_plot.h"
@@ -29,6 +30,7 @@ struct LightcurveOptions {
     std::optional<double> from, to;
     std::optional<int> samples;  // reference alone
     int steps = 120;
+    GivenWords given;
 };
 
 struct Sample {
@@ -60,11 +62,11 @@ double period_of(const Scene& scene) {
     return sphere != nullptr && sphere->amplitude > 0 ? sphere->period : 100.0;
 }
 
-std::string csv_of(const Scene& scene, const std::vector<Sample>& curve) {
-    std::string text = fmt::format(
-        "# {}: light against time. time: r_s/c; flux: luminance times solid angle (sr), white is "
-        "1\ntime,flux,red,green,blue\n",
-        scene.name);
+constexpr const char* kCurveColumns =
+    "light against time. time: r_s/c; flux: luminance times solid angle (sr), white is 1";
+
+std::string csv_of(const std::vector<Sample>& curve) {
+    std::string text = "time,flux,red,green,blue\n";
     for (const Sample& s : curve)
         text +=
             fmt::format("{:.17g},{:.9g},{:.9g},{:.9g},{:.9g}\n", s.time, s.flux[0], s.flux[1], s.flux[2], s.flux[3]);
@@ -79,8 +81,12 @@ std::string svg_of(const Scene& scene, const std::vector<Sample>& curve) {
 }
 
 // The scene at options.steps times, the last included.
-Result<std::vector<Sample>> curve_of(const LightcurveOptions& options, Scene scene, double from, double to,
-                                     const std::vector<int>& region) {
+struct Curve {
+    std::vector<Sample> samples;
+    std::string drawn_by;
+};
+Result<Curve> curve_of(const LightcurveOptions& options, Scene scene, double from, double to,
+                       const std::vector<int>& region) {
     std::optional<Session> session;
     std::optional<PictureDrawer> exact;
     if (options.renderer == "gl") {
@@ -99,14 +105,15 @@ Result<std::vector<Sample>> curve_of(const LightcurveOptions& options, Scene sce
             return std::move(drawn->linear);
         }
         TRY(ready, session->renderer->prepare(scene));
+        tell_notes(*session, DrawOptions().listener);
         return session->renderer->picture();
     };
-    std::vector<Sample> curve;
+    Curve curve{{}, session ? session->renderer->info().renderer : "reference tracer"};
     Progress progress("light curve", options.steps);
     for (int i = 0; i < options.steps; ++i, progress.advance()) {
         scene.time = from + i * (to - from) / (options.steps - 1);
         TRY(picture, picture_of());
-        curve.push_back({scene.time, flux_of(*picture, scene.camera, region)});
+        curve.samples.push_back({scene.time, flux_of(*picture, scene.camera, region)});
     }
     return curve;
 }
@@ -126,13 +133,16 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
                          "a scene with disc.flow, [spot], sphere.amplitude, ball.motion or t in surface.shape");
     if (options.samples && options.renderer != "reference")
         return bad_input("--samples: the shader takes one ray a pixel", "with --renderer reference");
+    if (options.renderer == "reference" && options.context != "auto")
+        return bad_input("--context: the reference has no GL", "with --renderer gl");
     TRY(region, region_of(options, scene->camera));
     const double from = options.from.value_or(scene->time), to = options.to.value_or(from + period_of(*scene));
     if (!(to > from)) return bad_input(fmt::format("--to {} is not after --from {}", to, from));
     TRY(curve, curve_of(options, *scene, from, to, *region));
-    TRY(table, write_text_atomically(options.output + ".csv", csv_of(*scene, *curve)));
-    TRY(diagram, write_text_atomically(options.output + ".svg", svg_of(*scene, *curve)));
-    const auto peak = std::ranges::max_element(*curve, dimmer);
+    TRY(written, write_table(options.output + ".csv", csv_of(curve->samples), options.output + ".svg",
+                             svg_of(*scene, curve->samples),
+                             {*scene, options.scene, options.given.words(), curve->drawn_by, kCurveColumns}));
+    const auto peak = std::ranges::max_element(curve->samples, dimmer);
     fmt::print("{0}.csv, {0}.svg: {1} times from {2:g} to {3:g} r_s/c; brightest at {4:g}, {5:.4g}\n", options.output,
                options.steps, from, to, peak->time, peak->flux[0]);
     return 0;
@@ -143,6 +153,7 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
 void add_lightcurve(Command& parent) {
     auto [command, options] = add_command<LightcurveOptions>(
         parent, "lightcurve", "Light curve of a scene, brightness against time: FILE.csv and FILE.svg", run_lightcurve);
+    options.given.of(command);
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene, in which something changes with time");
     text_option(command, "-o,--output", options.output, "Name of the files to write, without .csv and .svg");

@@ -120,10 +120,9 @@ std::string table_of(const Ring& ring) {
     return text;
 }
 
-std::string photon_ring_csv(const std::string& head, const std::vector<Ring>& rings) {
+std::string photon_ring_csv(const std::vector<Ring>& rings) {
     std::string text =
-        "# " + head +
-        "\npsi_deg,n,inner_rad,outer_rad,width_rad,ratio,ratio_theory,ratio_off,ratio_off_limit,delay,delay_"
+        "psi_deg,n,inner_rad,outer_rad,width_rad,ratio,ratio_theory,ratio_off,ratio_off_limit,delay,delay_"
         "theory,azimuth,azimuth_theory,drag_theory\n";
     const auto cell = [](double value) { return std::isfinite(value) ? fmt::format(",{:.15g}", value) : ","; };
     for (const Ring& ring : rings)
@@ -234,7 +233,7 @@ Result<RingFigure> photon_ring_figure(const Scene& scene, int rings, std::vector
     }
     const std::string head = fmt::format(
         "{}: images of the disc from {:g} to {:g} r_s by their crossing n of its plane", scene.name, inner, outer);
-    RingFigure figure{head + "\n", photon_ring_csv(head, measured), photon_ring_svg(head, measured, rings)};
+    RingFigure figure{head + "\n", photon_ring_csv(measured), photon_ring_svg(head, measured, rings), head};
     for (const Ring& of : measured) figure.table += table_of(of);
     return figure;
 }

@@ -11,6 +11,7 @@ namespace nullscope::cli {
 struct RingFigure {
     std::string table;  // for a person
     std::string csv, svg;
+    std::string columns;  // of which image of what
 };
 
 // Subring n, 1 to rings: the rays whose crossing n of the disc's plane lies on the disc, or from 3 to 10 r_s. angles: psi of

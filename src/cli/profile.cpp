@@ -16,6 +16,7 @@
 #include "base/text.h"
 #include "cli/capture_options.h"
 #include "cli/command.h"
+#include "cli/table_file.h"
 #include "command/arguments.h"
 #include "command/curve_plot.h"
 #include "command/reference_inputs.h"
@@ -35,6 +36,7 @@ struct ProfileOptions {
     double angle = 0;
     std::optional<double> time;
     std::optional<int> steps, samples;
+    GivenWords given;
 };
 
 // A part of a line in the picture: places are px from its upper left corner, distances from `through`.
@@ -98,13 +100,15 @@ std::array<double, 3> light_at(const Image<float>& picture, std::array<double, 2
 struct Drawn {
     Image<float> picture;
     std::array<double, 2> corner{};
+    std::string by = "reference tracer";
 };
 
 Result<Drawn> drawn_gl(const ProfileOptions& options, Scene scene) {
     if (options.samples) scene.picture.samples = *options.samples;
     TRY(session, open_session(options.context));
     TRY(ready, session->renderer->prepare(scene));
-    return Drawn{session->renderer->picture()};
+    for (const std::string& note : session->renderer->take_notes()) fmt::print(stderr, "{}\n", note);
+    return Drawn{session->renderer->picture(), {}, session->renderer->info().renderer};
 }
 
 // Only what the line passes.
@@ -171,11 +175,12 @@ std::vector<Unit> units_of(const Scene& scene, const std::vector<Point>& points)
     return units;
 }
 
-std::string profile_csv(const Scene& scene, const std::vector<Point>& points, const std::vector<Unit>& units) {
-    std::string text = fmt::format(
-        "# {}: linear light along a line. x, y: place in the picture, px from its upper left corner; px: from the "
-        "place that the line goes through{}\nx,y,px,",
-        scene.name, units.empty() ? "" : "; M, uas: impact parameter along the line, M = GM/c^2");
+constexpr const char* kLineColumns =
+    "linear light along a line. x, y: place in the picture, px from its upper left corner; px: from the place that the "
+    "line goes through; M, uas: impact parameter along the line, M = GM/c^2";
+
+std::string profile_csv(const std::vector<Point>& points, const std::vector<Unit>& units) {
+    std::string text = "x,y,px,";
     for (const Unit& unit : units) text += fmt::format("{},", unit.column);
     text += "luminance,red,green,blue\n";
     for (const Point& p : points) {
@@ -220,8 +225,9 @@ Result<int> run_profile(const ProfileOptions& options) {
     TRY(drawn, options.renderer == "gl" ? drawn_gl(options, *scene) : drawn_by_reference(options, *scene, *line));
     const auto points = points_of(*scene, *line, *drawn, options.steps);
     const auto units = units_of(*scene, points);
-    TRY(table, write_text_atomically(options.output + ".csv", profile_csv(*scene, points, units)));
-    TRY(diagram, write_text_atomically(options.output + ".svg", profile_svg(*scene, points, units)));
+    TRY(written, write_table(options.output + ".csv", profile_csv(points, units), options.output + ".svg",
+                             profile_svg(*scene, points, units),
+                             {*scene, options.scene, options.given.words(), drawn->by, kLineColumns}));
     const auto peak = std::ranges::max_element(points, {}, &Point::luminance);
     fmt::print("{0}.csv, {0}.svg: {1} points along {2:.4g} px; brightest at {3:.4g} px", options.output, points.size(),
                line->to - line->from, peak->px);
@@ -235,6 +241,7 @@ Result<int> run_profile(const ProfileOptions& options) {
 void add_profile(Command& parent) {
     auto [command, options] = add_command<ProfileOptions>(
         parent, "profile", "Profile of a scene's picture, brightness along a line: FILE.csv and FILE.svg", run_profile);
+    options.given.of(command);
     const KeyRange times = key_range("time");
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");

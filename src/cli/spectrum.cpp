@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "cli/command.h"
 #include "cli/spectrum_plot.h"
+#include "cli/table_file.h"
 #include "command/options.h"
 #include "scenefile/scene_file.h"
 #include "spacetime/circular_orbit.h"
@@ -34,6 +35,7 @@ struct SpectrumOptions {
     std::string scene, output = "spectrum", inner, emissivity = "3", limb = "isotropic";
     std::optional<double> spin, inclination_deg, outer, line_kev, ring, from, to;
     int bins = 1000;
+    GivenWords given;
 };
 
 // What is seen, from the scene and the options.
@@ -42,6 +44,7 @@ struct Source {
     std::shared_ptr<const Spacetime> spacetime;
     double inclination = 0, inner = 0, outer = 0, isco = 0;
     std::optional<double> power{};  // q; nothing: thermal
+    Scene scene{};
 };
 
 // A number in [least, most], or nothing.
@@ -63,6 +66,8 @@ std::string name_of(const Scene& scene) {
 Status set_rims(Source& source, const SpectrumOptions& options, const std::optional<DiscSpec>& disc) {
     if (options.ring && (!options.inner.empty() || options.outer))
         return bad_input("--ring with --inner or --outer", "a ring or a disc");
+    if (options.ring && source.power && options.given.has("--emissivity"))
+        return bad_input("--emissivity: it changes nothing in a --ring of one radius", "a disc, or thermal");
     source.inner = disc && options.inner.empty() ? disc->inner : source.isco;
     if (!options.inner.empty() && options.inner != "isco") {
         const auto inner = number_in(options.inner, 0.0, kLargestRadius);
@@ -114,6 +119,7 @@ Result<Source> source_of(const SpectrumOptions& options) {
     TRY(light, DistantLight::make(*spacetime, source.inclination));  // which has an innermost stable orbit then
     source.isco = *innermost_stable_orbit(**spacetime);
     TRY(rims, set_rims(source, options, scene.disc));
+    source.scene = std::move(scene);
     return source;
 }
 
@@ -138,16 +144,18 @@ std::string bin_words(const Source& source, const SpectrumOptions& options) {
                        source.power ? fmt::format("r^{:g}", -*source.power + 0.0) : "thermal", options.limb);
 }
 
-std::string spectrum_csv(const Source& source, const SpectrumOptions& options, const ConvergedProfile& found) {
-    const LineProfile& p = found.profile;
-    std::string text = fmt::format(
-        "# Line profile. {}\n# {}; r_s = 2 GM/c^2\n"
-        "# g = observed over emitted frequency, from {:.9g} to {:.9g}; photons, energy: share of the line's photon "
+std::string spectrum_columns(const Source& source, const SpectrumOptions& options, const ConvergedProfile& found) {
+    return fmt::format(
+        "Line profile. {}\n{}; r_s = 2 GM/c^2\n"
+        "g = observed over emitted frequency, from {:.9g} to {:.9g}; photons, energy: share of the line's photon "
         "flux (g^3) and energy flux (g^4) in the bin\n"
-        "# half of the resolution changes no bin by more than {:.2g} of the largest\n"
-        "g_from,g_to,g,{}photons,energy\n",
-        source.name, bin_words(source, options), p.least_g, p.most_g, found.change,
-        options.line_kev ? "energy_kev," : "");
+        "half of the resolution changes no bin by more than {:.2g} of the largest",
+        source.name, bin_words(source, options), found.profile.least_g, found.profile.most_g, found.change);
+}
+
+std::string spectrum_csv(const SpectrumOptions& options, const ConvergedProfile& found) {
+    const LineProfile& p = found.profile;
+    std::string text = fmt::format("g_from,g_to,g,{}photons,energy\n", options.line_kev ? "energy_kev," : "");
     for (std::size_t i = 0; i < p.photons.size(); ++i) {
         const double low = p.edge(i), high = p.edge(i + 1), middle = 0.5 * (low + high);
         text += fmt::format("{:.9g},{:.9g},{:.9g},", low, high, middle);
@@ -184,9 +192,11 @@ Result<int> run_spectrum(const SpectrumOptions& options) {
     if (!(found.profile.to > found.profile.from))
         return bad_input(fmt::format("bins from {:g} to {:g}: --to is not above --from", found.profile.from * unit,
                                      found.profile.to * unit));
-    TRY(table, write_text_atomically(options.output + ".csv", spectrum_csv(*source, options, found)));
-    TRY(plot, write_text_atomically(options.output + ".svg", spectrum_plot(source->name, bin_words(*source, options),
-                                                                           found.profile, options.line_kev)));
+    TRY(written,
+        write_table(
+            options.output + ".csv", spectrum_csv(options, found), options.output + ".svg",
+            spectrum_plot(source->name, bin_words(*source, options), found.profile, options.line_kev),
+            {source->scene, options.scene, options.given.words(), {}, spectrum_columns(*source, options, found)}));
     print(*source, options, found);
     return 0;
 }
@@ -198,6 +208,7 @@ void add_spectrum(Command& parent) {
         parent, "spectrum",
         "Profile of a line that a thin disc emits (the broad iron line), for a distant observer: FILE.csv and FILE.svg",
         run_spectrum);
+    options.given.of(command);
     command.add_option(
         "scene,--scene", &options.scene,
         "Scene file, or the name of a built-in scene, whose spacetime, disc radii and camera inclination "
