@@ -170,6 +170,8 @@ Result<Json> moving_cost(const Bench& bench, const Scene& scene, int frames) {
 }
 
 Status run_frames(const FramesBench& options) {
+    if (options.effects && (options.poses > 0 || options.moving || options.refined))
+        return bad_input("--effects: of the empty scene, at rest", "without --poses, --moving and --refined");
     if (options.effects) return bench_effects(options);
     TRY(bench, open_bench(options));
     for (Renderer* renderer : {&bench->renderer(), bench->other.get()})

@@ -60,10 +60,13 @@ Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) 
     return frames;
 }
 
-Status dump_shader(const Scene& scene) {
+Status dump_shader(const Scene& scene, const CaptureOptions& options) {
+    if (options.renderer == "reference")
+        return bad_input("--dump-shader: the reference has none", "with --renderer gl");
+    TRY(method, chosen_method(options.method, options.max_error, scene, options.listener));
     const EffectSet effects = effect_set(required_effects(scene));
     for (const Pass& pass : passes(effects, Output::kDisplay))
-        fmt::print("{}", pass_text(pass, effects, {}, scene.spacetime.metric, body_text(scene, effects)));
+        fmt::print("{}", pass_text(pass, effects, *method, scene.spacetime.metric, body_text(scene, effects)));
     return Done{};
 }
 
@@ -180,6 +183,10 @@ Result<Job> job_of(const CaptureOptions& options, const OpenedScene& opened) {
     if (job.path && job.path->falls() && options.time_step != 0)
         return bad_input("--time-step: the scene's time goes with the camera that falls",
                          "scenes whose path.kind is not fall");
+    if (options.time_step != 0 && !options.to_film() && options.frames.empty() && !names_frames(options.output) &&
+        job.scene.picture.shutter <= 0.0)
+        return bad_input("--time-step: one picture is of one moment, without picture.shutter",
+                         "with --frames A:B, or a scene with picture.shutter");
     TRY(frames, frames_of(options, job.path ? &*job.path : nullptr));
     job.frames = *frames;
     if (job.path) {
@@ -352,7 +359,7 @@ Status run_capture(const CaptureOptions& given) {
     if (asked.quiet) asked.listener.note = [](const std::string&) {};
     TRY(run, run_of(std::move(asked)));
     const CaptureOptions& options = run->options;
-    if (options.dump_shader) return dump_shader(run->opened.scene);
+    if (options.dump_shader) return dump_shader(run->opened.scene, options);
     TRY(job, job_of(options, run->opened));
     if (!options.quiet && job->scene.picture.shutter > 0.0 && !job->path && options.time_step == 0)
         fmt::print(stderr, "picture.shutter: all is at rest without a [path] or --time-step\n");

@@ -33,6 +33,14 @@ Status check_options(const CaptureOptions& options) {
                          !options.split.empty() || options.renderer != "gl"))
         return bad_input("--half is of an .exr of colours that the shader draws",
                          "-o FILE.exr, without --raydata, --layers, --st-map, --split and --renderer reference");
+    if (options.max_error && options.method != "auto")
+        return bad_input(fmt::format("--max-error: --method {} is the one that was asked for", options.method),
+                         "--method auto");
+    const bool single = options.frames.empty() && !options.to_film() && !names_frames(options.output);
+    if (options.resume && single)
+        return bad_input("--resume: one picture is drawn anew", "with --frames A:B, or -o NAME%05d.png");
+    if (options.samples && !options.st_map.empty())
+        return bad_input("--samples: an ST map has one ray a pixel", "without --st-map");
     if (options.raydata && !options.to_exr()) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
     if (options.renderer == "reference")
         for (const auto& [option, given] : {std::pair{"--method", options.method != "auto"},

@@ -101,6 +101,9 @@ Status run_compare(const CompareOptions& options) {
         return bad_input(fmt::format("--heatmap {}: unknown kind of file", options.heat_map), "names that end in .png");
     TRY(a, load_rays(options.a));
     TRY(b, load_rays(options.b));
+    if (!a->has_value() && !b->has_value() && !options.scene.empty())
+        return bad_input(fmt::format("--scene {}: these are pictures, without ray data", options.scene),
+                         "two .exr of capture --raydata, or no --scene");
     if (a->has_value() != b->has_value())
         return bad_input(
             fmt::format("{} has ray data and {} has none (no channel \"fate\"); make it with: nullscope "

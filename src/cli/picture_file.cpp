@@ -11,6 +11,7 @@
 #include "cli/flux.h"
 #include "compare/ray_channels.h"
 #include "image/channels.h"
+#include "image/half_float.h"
 #include "image/image_file.h"
 #include "render/picture_bands.h"
 #include "version/version.h"
@@ -25,6 +26,16 @@ Result<std::map<std::string, std::string>> words_of(PictureOrigin origin, std::s
     origin.renderer = made_by;
     origin.version = kVersionText;
     return picture_words(origin);
+}
+
+std::size_t beyond_halves(const Image<float>& light) {
+    return static_cast<std::size_t>(std::ranges::count_if(light.data, [](float x) { return x > kMostHalf; }));
+}
+
+void say_halves(const std::string& file, std::size_t beyond, const Listener& listener) {
+    if (beyond > 0)
+        listener.note(fmt::format("{}: {} numbers above {:g}, the largest half float, are written as that", file,
+                                  beyond, kMostHalf));
 }
 
 FitsHeader header_of(const PictureOrigin& origin, const Captured& captured, const std::optional<FluxUnit>& flux,
@@ -58,6 +69,7 @@ Result<std::string> capture_large_exr(Session& session, const PictureOrigin& ori
     TRY(words, words_of(origin, made_by(session)));
     const BandedImage image{camera.width * static_cast<int>(shown.size()), camera.height, options.half,
                             std::move(*words)};
+    std::size_t beyond = 0;
     TRY(saved, save_exr_bands(file_name, image, [&](int y) -> Result<Image<float>> {
             const PictureBand band = *std::ranges::find(bands, y, &PictureBand::top);
             Image<float> all;
@@ -67,8 +79,10 @@ Result<std::string> capture_large_exr(Session& session, const PictureOrigin& ori
             }
             tell_notes(session, options.listener);
             advance(band.rows);
+            beyond += beyond_halves(all);
             return all;
         }));
+    if (options.half) say_halves(file_name, beyond, options.listener);
     return made_by(session);
 }
 
@@ -89,6 +103,7 @@ Status write_picture(const std::string& file_name, const PictureOrigin& origin, 
         words->insert({{"Title", scene.name}, {"Software", fmt::format("nullscope {}", kVersion)}});
         return save_png(file_name, captured.display, *words);
     }
+    if (options.half) say_halves(file_name, beyond_halves(captured.linear), options.listener);
     if (options.half)
         return save_exr_bands(file_name, {captured.linear.width, captured.linear.height, true, std::move(*words)},
                               [&](int) -> Result<Image<float>> { return captured.linear; });

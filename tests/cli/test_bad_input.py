@@ -38,6 +38,29 @@ class Usage(support.CliTest):
         for option, value in ("--method", "strip"), ("--max-error", "1"), ("--context", "egl"), ("--largest-texture", "64"):
             self.refused("capture", "flat", "--size", "16x9", "--renderer", "reference", option, value, says=[option, "--renderer gl"])
         self.refused("lightcurve", "hot-spot", "--size", "16x9", "--samples", "2", says=["--samples", "--renderer reference"])
+        small = ("capture", "flat", "--size", "16x9")
+        for words, says in ((("--time-step", "1"), ["--time-step", "--frames A:B"]), (("--resume",), ["--resume", "--frames A:B"]),
+                            (("--max-error", "1", "--method", "strip"), ["--max-error", "--method strip"]),
+                            (("--st-map", "sky", "--samples", "2", "-o", "a.exr"), ["--samples", "ST map"]),
+                            (("--dump-shader", "--renderer", "reference"), ["--dump-shader", "--renderer gl"])):
+            self.refused(*small, *words, says=says)
+        self.write("rays.csv", RAYS + GOOD)
+        for words, says in ((("--method", "strip"), ["--method", "--with gl"]), (("--context", "egl"), ["--context", "--with gl"]),
+                            (("--with", "core64", "--context", "egl"), ["--context", "--with gl"])):
+            self.refused("trace", "sky-only", "--rays", "rays.csv", *words, says=says)
+        for command, words, says in (("lightcurve", ("hot-spot", "--renderer", "reference", "--context", "egl"), ["--context", "--renderer gl"]),
+                                     ("figure", ("bending", "--rings", "4"), ["--rings", "photon-ring"]),
+                                     ("figure", ("isoradials", "--angles", "30"), ["--angles", "photon-ring"]),
+                                     ("figure", ("bending", "kerr"), ["kerr", "isoradials"]),
+                                     ("spectrum", ("--ring", "5", "--emissivity", "2"), ["--emissivity", "--ring"])):
+            self.refused(command, *words, says=says)
+        self.refused("bench", "frames", "--effects", "--poses", "2", says=["--effects", "--poses"])
+        self.run_nullscope(*small, "-o", "a.png")
+        self.refused("compare", "a.png", "a.png", "--scene", "flat", says=["--scene flat", "ray data"])
+
+    def test_a_shader_is_printed_as_its_method_has_it(self):
+        strip, table = (self.run_nullscope("capture", "sky-only", "--dump-shader", "--method", method).out for method in ("strip", "table"))
+        self.assertNotEqual(strip, table)
 
     def test_spectra(self):
         for words, says in ((("no-such-scene",), ["no-such-scene"]),
