@@ -29,7 +29,7 @@ def fate_name(scene: SceneLike, ray: np.void) -> str:
     try:
         fate, hit = Fate(int(ray["fate"])), int(ray["hit"])
     except (KeyError, IndexError, TypeError, ValueError):
-        raise _core.Error("ray: no row of what trace() gives; allowed: with fields fate and hit") from None
+        raise _core.Error("ray must be a row of the array that trace() returns; allowed: with fields fate and hit") from None
     return f"hit:{_core.object_name(_scene(scene), hit)}" if fate is Fate.HIT else fate.name.lower()
 
 

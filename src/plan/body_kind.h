@@ -47,7 +47,7 @@ struct BodyKind {
     std::string (*words)(const Body&);         // of a plan: "of radius 3"
     BodyExtent (*extent)(const Body&);         // of one that rests
     double (*size)(const Body&);               // the length that grains of its noise are counted over
-    const char* (*moves)(const Body&);         // the key that makes it another at another time; nullptr: none
+    const char* (*moves)(const Body&);         // the key by which it depends on time; nullptr: none
     bool has_side = true, has_mapping = true;  // keys side; mapping and band_latitude
 };
 

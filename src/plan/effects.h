@@ -151,7 +151,7 @@ bool has_emission(const EffectSet& effects);    // matter whose light follows fr
 bool shades_heat(const EffectSet& effects);     // black bodies in the picture's shader: the table of their light
 bool takes_samples(const EffectSet& effects);   // pixels with several rays each
 bool meets_objects(const EffectSet& effects);   // anything that needs positions along rays: ray ends, orbit table
-bool moves(const EffectSet& effects);           // a body that is elsewhere, or another, at another time
+bool moves(const EffectSet& effects);           // a body whose place or shape depends on time
 
 struct EffectReason {
     Effect effect;

@@ -1,4 +1,4 @@
-// What of a scene is different at another time.
+// What in a scene depends on time.
 #pragma once
 #include <string>
 #include <vector>

@@ -26,7 +26,7 @@ class PlaneRays;
 // A place where a ray meets the equatorial plane.
 struct PlaneCrossing {
     double along, r, phi;  // r_s, rad; phi with its windings
-    // Of the photon, over its energy: the radial part of its momentum, as who has no angular momentum measures it,
+    // Of the photon, over its energy: the radial part of its momentum, measured by a ZAMO,
     // times the lapse; > 0: it really moves outward. Without rotation a cosine. Outside the horizon.
     double climb;
     double delay = 0;  // how long ago, by the camera's clock, the light left, r_s/c; 0 where nobody asks (RayTask)

@@ -37,7 +37,7 @@ BallPath sampled(const BallMotionAt& motion, const Scene& scene, double radius, 
         path.height = std::max(path.height, std::fabs(ball.place.z) + radius + path.step * std::fabs(ball.velocity.z));
         path.speed = std::max(path.speed, length(ball.velocity));
     };
-    if (scene.time > path.from)  // away from t = 0, whence falls are followed
+    if (scene.time > path.from)  // away from t = 0, where free-fall integration starts
         for (int i = kBallPathCells; i >= 0; --i) put(i);
     else
         for (int i = 0; i <= kBallPathCells; ++i) put(i);

@@ -100,7 +100,7 @@ Result<CellBins> bins_of(const std::vector<WarpNode>& nodes, const std::vector<s
     std::vector<int> counts(count);
     std::size_t entries = 0;
     if (!each([&](std::size_t bin, int) { return ++entries <= most_entries && ++counts[bin] <= kMostCellsInBin; }))
-        return bad_input("the mesh's cells lie too thick upon each other",
+        return bad_input("too many mesh cells overlap at one point",
                          fmt::format("at most {} at one place", kMostCellsInBin));
     bins.first.assign(count + 1, 0);
     for (std::size_t bin = 0; bin < count; ++bin) bins.first[bin + 1] = bins.first[bin] + counts[bin];

@@ -51,7 +51,7 @@ public:
     static constexpr int kMostNodes = 1'000'000, kMostSide = 4096;
     static constexpr double kMostPlace = 100.0, kMostLight = 1000.0;  // of |x|, |y|, |u|, |v|; of i
 
-    // name: of the file, for messages. Errors: what is no mesh, with its line, and meshes whose cells lie too thick upon each other.
+    // name: of the file, for messages. Errors: what is no mesh, with its line, and meshes of which too many cells overlap at one point.
     static Result<WarpMesh> parse(std::string_view text, const std::string& name);
 
     std::optional<WarpPlace> at(double x, double y) const;                    // nothing beside the mesh

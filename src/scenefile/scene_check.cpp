@@ -53,7 +53,7 @@ Faults check_keys(const Scene& scene, const GivenKeys& given, bool camera) {
             const std::string name = fmt::format("{}.{}", label, key.key);
             const bool meant = key.meant(holder);
             if (!meant && given(name))
-                faults.push_back({name, "has no meaning here", fmt::format("with {} only", key.with)});
+                faults.push_back({name, "is not used here", fmt::format("with {} only", key.with)});
             if (meant && key.needed && !given(name))
                 faults.push_back({name, fmt::format("missing, but {}", key.with), allowed_text(key),
                                   fmt::format("{}.{}", label, key.with.substr(0, key.with.find(' ')))});
@@ -97,9 +97,12 @@ Faults check_lens(const Scene& scene) {
     if (camera.projection != Projection::kCube && camera.plane_width < (1.0 - 1e-12) * kNarrowestWide)
         return {{fov, fmt::format("too narrow for projection = \"{}\"", projection_name(camera.projection)),
                  "[10, 360], or projection = \"pinhole\"", fov}};
-    if (camera.zoom) return {{projection, "a [zoom] is a pinhole's", "pinhole where there is a [zoom]", projection}};
+    if (camera.zoom)
+        return {
+            {projection, "[zoom] requires projection = \"pinhole\"", "pinhole where there is a [zoom]", projection}};
     if (scene.split)
-        return {{projection, "a [split] picture is a pinhole's", "pinhole where there is a [split]", projection}};
+        return {
+            {projection, "[split] requires projection = \"pinhole\"", "pinhole where there is a [split]", projection}};
     return {};
 }
 
@@ -142,9 +145,10 @@ Faults check_stereo(const Scene& scene) {
     if (camera.stereo == Stereo::kOff) return {};
     const std::string key = "camera.stereo";
     const bool all_round = camera.stereo == Stereo::kAllRound;
-    if (camera.zoom) return {{key, "a [zoom] has one eye", "off where there is a [zoom]", key}};
-    if (scene.split) return {{key, "a [split] picture has one eye", "off where there is a [split]", key}};
-    if (!camera.warp.empty()) return {{key, "a warped picture has one eye", "off where there is a camera.warp", key}};
+    if (camera.zoom) return {{key, "stereo cannot be combined with [zoom]", "off where there is a [zoom]", key}};
+    if (scene.split) return {{key, "stereo cannot be combined with [split]", "off where there is a [split]", key}};
+    if (!camera.warp.empty())
+        return {{key, "stereo cannot be combined with camera.warp", "off where there is a camera.warp", key}};
     if (scene.picture.scale_bar != ScaleBar::kOff)
         return {{key, "a scale bar is of one picture", "off where there is a picture.scale_bar", key}};
     if (scene.picture.auto_exposure)

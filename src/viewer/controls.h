@@ -11,7 +11,7 @@ namespace nullscope::viewer {
 
 class Controls {
 public:
-    // Moves view.scene.camera by what the hands did in the last dt_s seconds; true if anything moved. Mouse and keys
+    // Moves view.scene.camera by the input of the last dt_s seconds; true if anything moved. Mouse and keys
     // are left alone where a panel has them.
     bool apply(const Input& input, ViewState& view, double dt_s, bool panel_has_mouse, bool panel_has_keys);
     // A key or a stick is held or the wheel's motion has not run out: another frame is due without waiting for events.

@@ -60,7 +60,7 @@ Command program_of(viewer::ViewerOptions& options, std::string& size, std::strin
                      "Draw pictures in the window's own OpenGL context, not in a background thread");
     program
         .add_option("--coarse", &options.coarse,
-                    "Draw pictures so many times smaller than the window in each direction, for slow machines with "
+                    "Render at 1/N of the window's resolution in each direction, for slow machines with "
                     "large screens (default: 1)")
         .in_range(1, 16);
     program.add_option("--turns", &options.turns,

@@ -40,7 +40,7 @@ struct ViewerOptions {
     int after_frames = 0;           // 0: run until closed
     bool hidden = false;
     bool one_context = false;  // draws where the panels are drawn, as where a second context cannot be had
-    int coarse = 1;            // pictures so many times smaller than the window in each direction
+    int coarse = 1;            // rendered at 1/N of the window's resolution
     std::string turns;         // file for what the loop does (viewer/loop_log.h), or nothing
     std::string layout;        // file for where the panels' words are (viewer/layout_log.h), or nothing
 };

@@ -1,4 +1,4 @@
-// The window: GLFW, an OpenGL 3.3 core context whose functions are loaded, and what the hands did since the last look.
+// The window: GLFW, an OpenGL 3.3 core context whose functions are loaded, and input events since the last poll.
 #pragma once
 #include <bitset>
 #include <memory>

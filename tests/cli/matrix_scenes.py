@@ -201,9 +201,9 @@ REFUSED = [
     ({"thing": MATTER_THINGS, "extra": {"zoom"}}, "a zoom leaves out"),
     ({"switch": PARTS, "camera": {"rain", "fall", "throw"}}, r"while light\.\w+ is off"),
     ({"switch": {"lensing"}, "extra": {"zoom"}}, "light runs straight"),
-    ({"projection": set(PROJECTIONS) - {"pinhole", "shifted", "rolled", "warp"}, "extra": SPLITS | {"zoom"}}, "is a pinhole's|are squares"),
-    ({"projection": {"warp"}, "extra": SPLITS | {"zoom", "stereo"}}, "does not go together with|a warped picture has one eye"),
-    ({"projection": set(PROJECTIONS) - {"equirectangular"}, "extra": {"all-round"}}, "all-round eyes go round|a warped picture has one eye"),
+    ({"projection": set(PROJECTIONS) - {"pinhole", "shifted", "rolled", "warp"}, "extra": SPLITS | {"zoom"}}, "requires projection|are squares"),
+    ({"projection": {"warp"}, "extra": SPLITS | {"zoom", "stereo"}}, "does not go together with|stereo cannot be combined with camera.warp"),
+    ({"projection": set(PROJECTIONS) - {"equirectangular"}, "extra": {"all-round"}}, "all-round eyes go round|stereo cannot be combined with camera.warp"),
 ]
 
 

@@ -143,7 +143,7 @@ def main():
     parser.add_argument("--sizes", default=",".join(SIZES))
     parser.add_argument("--scales", default=",".join(SCALES))
     parser.add_argument("--pictures")
-    parser.add_argument("--coarse", default="8", help="pictures under the panels are so many times smaller than the window (default: 8)")
+    parser.add_argument("--coarse", default="8", help="pictures under the panels are rendered at 1/N of the window's resolution (default: 8)")
     options = parser.parse_args()
     if missing_tools():
         return 77
