@@ -34,6 +34,8 @@ void prepare_context() {
     glDisable(GL_DITHER);
 }
 
+Format filtered_light() { return Format::kRgba32F; }
+
 bool is_compiled(const Program&) { return true; }
 
 void fail(const std::string& what) { throw GlError(what); }

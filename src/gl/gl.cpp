@@ -301,6 +301,8 @@ Target make_target(int width, int height, Format format, int count) {
     return target;
 }
 
+std::size_t bytes_of(Format format) { return format == Format::kRgba8 ? 4 : format == Format::kRgba16F ? 8 : 16; }
+
 void clear(const Target& target) {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
     glDisable(GL_SCISSOR_TEST);

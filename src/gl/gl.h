@@ -122,6 +122,9 @@ struct Target {
     Framebuffer framebuffer;
 };
 Target make_target(int width, int height, Format format, int count = 1);
+// Of linear light that is filtered: floats, or what a browser can filter, halves, which end at 65504.
+Format filtered_light();
+std::size_t bytes_of(Format format);  // of a texel
 
 // Marks on a target's pixels: what is drawn can be limited to the marked ones. The target must outlive them.
 struct Marks {

@@ -103,7 +103,8 @@ std::span<const Feature> picture_features() {
          [](Scene& s) { s.picture.auto_exposure = true; },
          nullptr,
          {on_off_key("picture", "auto_exposure", "off",
-                     "Whether exposure adapts to the picture's mean luminance; camera.exposure is then added.",
+                     "Whether exposure adapts to the picture's mean luminance, which counts as 1e-4 at least; "
+                     "camera.exposure is then added.",
                      [](auto& s) { return &s.picture.auto_exposure; })}},
         {{Effect::kToneFilm, "tone-film", "EFFECT_TONE_FILM", "Bright light is compressed as on film.",
           "picture.tone is \"film\"", "arithmetic"},

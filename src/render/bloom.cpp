@@ -21,7 +21,7 @@ std::size_t Bloom::bytes(int width, int height) {
         coarsest = static_cast<std::size_t>(w) * h;
         texels += 2 * coarsest;
     }
-    return 8 * (texels - coarsest);
+    return gl::bytes_of(gl::filtered_light()) * (texels - coarsest);
 }
 
 void Bloom::resize(int width, int height) {
@@ -32,7 +32,7 @@ void Bloom::resize(int width, int height) {
     height_ = height;
     for (const auto& [w, h] : levels(width, height))
         for (auto* targets : {&down_, &up_}) {
-            targets->push_back(gl::make_target(w, h, gl::Format::kRgba16F));
+            targets->push_back(gl::make_target(w, h, gl::filtered_light()));
             gl::set_linear(targets->back().colours.front());
         }
     up_.pop_back();  // the coarsest level is its own sum
@@ -42,7 +42,7 @@ std::size_t Bloom::bytes() const {
     std::size_t texels = 0;
     for (const auto* targets : {&down_, &up_})
         for (const gl::Target& target : *targets) texels += static_cast<std::size_t>(target.width) * target.height;
-    return 8 * texels;
+    return gl::bytes_of(gl::filtered_light()) * texels;
 }
 
 void Bloom::draw_down(const gl::Program& down, const gl::VertexArray& empty, const gl::Texture& picture,

@@ -58,6 +58,8 @@ Vec3 toned(Vec3 c, ToneCurve curve) {
     return keep * compressed / peak * c + (1 - keep) * compressed * Vec3{1, 1, 1};
 }
 
+constexpr double kLeastMetered = 1e-4;  // shaders/stage/develop.frag
+
 double mean_luminance(const Image<float>& image) {
     double sum = 0;
     for (std::size_t i = 0; i + 2 < image.data.size(); i += 3)
@@ -99,7 +101,7 @@ Image<float> with_bloom(const Image<float>& linear, double share) {
 Image<unsigned char> display_encoded(const Image<float>& linear, double exposure_ev, const PictureSpec& picture) {
     const Image<float> light = picture.bloom > 0.0 ? with_bloom(linear, picture.bloom) : linear;
     double exposure = std::exp2(exposure_ev);
-    if (picture.auto_exposure) exposure *= kMeterKey / std::clamp(mean_luminance(pyramid(linear).back()), 1e-4, 1e4);
+    if (picture.auto_exposure) exposure *= kMeterKey / std::max(mean_luminance(pyramid(linear).back()), kLeastMetered);
     Image<unsigned char> out(light.width, light.height, 3);
     for (std::size_t i = 0; i + 2 < out.data.size(); i += 3) {
         const Vec3 c = toned(exposure * Vec3{light.data[i], light.data[i + 1], light.data[i + 2]}, picture.tone);

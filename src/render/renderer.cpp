@@ -261,8 +261,10 @@ void Renderer::draw(unsigned framebuffer, int width, int height, Output output) 
 // What passes of light work on, if there are any: made for the picture's size.
 void Renderer::keep_light(const std::vector<Pass>& list, int width, int height, Output output) {
     const bool refine = refines(list), keep = keeps_light(list) || refine;
-    // Linear light that is handed on is as exact as the target that it is copied to.
-    const gl::Format format = output == Output::kDisplay ? gl::Format::kRgba16F : gl::Format::kRgba32F;
+    // Linear light that is handed on is as exact as the target that it is copied to; for the eye it may be far from 1 before its exposure.
+    const gl::Format format = output != Output::kDisplay ? gl::Format::kRgba32F
+                              : keeps_light(list)        ? gl::filtered_light()
+                                                         : gl::Format::kRgba16F;
     if (!keep) {
         linear_ = {};
     } else if (linear_.width != width || linear_.height != height || linear_format_ != format) {
@@ -382,7 +384,7 @@ bool Renderer::build_next() {
         if (!is_compiled(pass.stage, pass.output)) return true;
         // Many drivers compile once more when something is drawn.
         const gl::Target target =
-            gl::make_target(kSide, kSide, keeps_light(list) ? gl::Format::kRgba16F : gl::Format::kRgba8);
+            gl::make_target(kSide, kSide, keeps_light(list) ? gl::filtered_light() : gl::Format::kRgba8);
         picture_tiles_.resize(list, kSide, kSide, tables_.effects());
         bind_inputs();
         if (draws_picture(pass.stage))
@@ -638,7 +640,7 @@ std::vector<Renderer::TextureLine> Renderer::textures() const {
         lines.push_back(
             {"medium grid", grid->rings().count, grid->polar().count * grid->around().count, grid->bytes()});
     if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});
-    if (linear_.width > 0) add("linear picture", linear_.width, linear_.height, 24);
+    if (linear_.width > 0) add("linear picture", linear_.width, linear_.height, 3 * gl::bytes_of(linear_format_));
     if (bloom_.bytes() > 0)
         lines.push_back({"bloom", (linear_.width + 1) / 2, (linear_.height + 1) / 2, bloom_.bytes()});
     return lines;

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Labels and scale bars are over displayed pictures alone, and a JPEG holds what the PNG does."""
+import math
 import re
 import struct
 import sys
@@ -134,6 +135,22 @@ class Pictures(support.CliTest):
         self.refused("capture", "flat", "--quality", "101", "-o", "c.jpg", says=["--quality", "100"])
         self.refused("capture", "flat", "--raydata", "-o", "b.jpg", says=["--raydata", ".exr"])
         self.refused("capture", "flat", "--size", "64x36", "-o", "missing/b.jpg", status=1, says=["missing/b.jpg"])
+
+    def test_light_of_any_brightness_is_shown(self):
+        """With bloom and automatic exposure too, which work on light before its exposure: of 1e-7 and 5e5 as of 1. A sky of one colour."""
+        for picture in ("bloom = 0.0", "bloom = 0.3", 'auto_exposure = "on"'):
+            for octaves in 0, -23, 19:
+                automatic = picture.startswith("auto") and octaves >= 0   # what is darker is not raised any more
+                scene = self.write("s.toml", '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "plain"\ncolour = [0.7, 0.7, 0.7]\n'
+                                             f"brightness = {2.0**octaves}\n[camera]\nexposure = {0 if automatic else -octaves}\n[picture]\n{picture}\n")
+                metered = max(0.7 * 2.0**octaves, 1e-4)
+                light = 0.7 * (1 if not picture.startswith("auto") else 2.0**octaves * 0.12 / metered * (1 if automatic else 2.0**-octaves))
+                code = 1 - math.exp(-min(light, 1e4))
+                code = 255 * (12.92 * code if code < 0.0031308 else 1.055 * code**(1 / 2.4) - 0.055)
+                for renderer in "gl", "reference":
+                    self.run_nullscope("capture", scene, "--size", "16x9", "--renderer", renderer, "-o", "a.png")
+                    for shown in set(read_png(self.folder / "a.png").data):
+                        self.assertAlmostEqual(shown, code, delta=1.5, msg=f"{renderer}: {picture}, 2^{octaves}")
 
 
 if __name__ == "__main__":

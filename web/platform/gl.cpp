@@ -12,6 +12,8 @@ void prepare_context() {}
 
 void fail(const std::string& what) { page_fail(what.data(), what.size()); }
 
+Format filtered_light() { return Format::kRgba16F; }
+
 // page/webgl.js says yes where the browser cannot tell (KHR_parallel_shader_compile).
 bool is_compiled(const Program& program) {
     constexpr GLenum kCompletionStatus = 0x91b1;
