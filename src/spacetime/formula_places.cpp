@@ -9,13 +9,13 @@
 namespace nullscope {
 namespace {
 
-constexpr double kStep = 1.01;   // of r, between two looks at A
-constexpr int kSplits = 6;       // of a step, where the bounds of A do not keep it off 0
+constexpr double kStep = 1.01;     // of r, between two looks at A
+constexpr int kSplits = 6;         // of a step, where the bounds of A do not keep it off 0
 constexpr double kNoDepth = 1e-3;  // of the bounds of A at one r, which are some 1e4 roundings wide
-constexpr int kSamples = 2000;   // at the slope of V
-constexpr double kSame = 1e-12;  // B A and R/r that are 1 for every r: some roundings of what formulas subtract
-constexpr double kFallsOff = 4;  // of A, at a tenth of the distance from its zero: 10 if that is simple
-constexpr double kUnit = 1e-12;  // and their limits at infinity
+constexpr int kSamples = 2000;     // at the slope of V
+constexpr double kSame = 1e-12;    // B A and R/r that are 1 for every r: some roundings of what formulas subtract
+constexpr double kFallsOff = 4;    // of A, at a tenth of the distance from its zero: 10 if that is simple
+constexpr double kUnit = 1e-12;    // and their limits at infinity
 
 Error wrong(std::string_view key, const std::string& what, std::string_view allowed) {
     return bad_key(std::string(key), what, std::string(allowed));
