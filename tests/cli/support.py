@@ -3,6 +3,7 @@
 Usage of every test here: test_NAME.py PATH-OF-NULLSCOPE [unittest options]
 """
 import os
+import re
 import signal
 import struct
 import subprocess
@@ -37,6 +38,10 @@ class Ran:
         self.status = done.returncode
         self.out = done.stdout.decode("utf-8", "replace")
         self.err = done.stderr.decode("utf-8", "replace")
+
+    def said(self):
+        """Standard error without the lines of progress, which slow machines have."""
+        return re.sub(r"^[^\n]*: \d+% \([^\n]*\)\n", "", self.err, flags=re.M)
 
     def __str__(self):
         return f"status {self.status}\nstdout: {self.out[:2000]}\nstderr: {self.err[:2000]}"

@@ -64,7 +64,7 @@ class Memory(support.CliTest):
                              status=1, says=["out of memory"], before=little)
         self.refused("capture", "flat", "--size", "65536x65536", "--renderer", "reference", "-o", "a.exr", status=1,
                      says=["out of memory"], before=little)
-        self.assertEqual(self.run_nullscope("capture", "flat", *SMALL, "-o", "a.png", before=little).err, "")
+        self.assertEqual(self.run_nullscope("capture", "flat", *SMALL, "-o", "a.png", before=little).said(), "")
 
 
     @unittest.skipIf(SANITIZED or support.QUICK, "ten seconds: with --all")

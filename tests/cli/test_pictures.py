@@ -108,8 +108,8 @@ class Pictures(support.CliTest):
         self.assertIn("pictures have no labels", ran.err)
         self.assertEqual(ran.err.count("\n"), 1, ran)
         self.assertGreater(len(self.differing(self.picture(scene, "marked.png")[0], bare)[0]), 60)
-        self.assertEqual(self.picture(scene, "plain.png", "--plain", environment=no_font)[1].err, "")
-        self.assertEqual(self.picture(scene, "linear.exr", environment=no_font)[1].err, "")
+        self.assertEqual(self.picture(scene, "plain.png", "--plain", environment=no_font)[1].said(), "")
+        self.assertEqual(self.picture(scene, "linear.exr", environment=no_font)[1].said(), "")
 
     def test_frames_of_another_kind_of_marks_do_not_mix(self):
         scene = self.write("split.toml", SPLIT)

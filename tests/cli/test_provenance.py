@@ -192,7 +192,7 @@ class Provenance(support.CliTest):
         """The very same file, from nothing but it."""
         data = (self.folder / name).read_bytes()
         ran = self.run_nullscope("capture", name, "-o", "again" + Path(name).suffix, *options)
-        self.assertEqual(ran.err, "")
+        self.assertEqual(ran.said(), "")
         self.assertEqual(data, (self.folder / ("again" + Path(name).suffix)).read_bytes(), f"{name}\n{texts_of(self.folder / name)}")
 
     def test_a_picture_is_drawn_again_from_itself(self):

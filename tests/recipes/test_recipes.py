@@ -11,6 +11,7 @@ reference. FOLDER stays, so that a second run compiles what has changed.
 """
 import csv
 import hashlib
+import os
 import re
 import shutil
 import subprocess
