@@ -1,6 +1,6 @@
 // Solid bodies anywhere: along the ray in steps no longer than the distance to the nearest of them, then between two places
 // on either side of its surface. march_ask (written for the scene): a value, below 0 inside of a body, and the room, how far along the ray the
-// nearest is at least; march_slope: by how much more the value changes than the distance does; march_object: which one; march_clear: how
+// nearest is at least; march_nearest: of the body that is nearest, its distance and by how much more its value changes; march_object: which one; march_clear: how
 // far the nearest is from a place, at least, of those that are not in a set, to which those nearer than `near` are added.
 // march_list: of lists of bodies, those that a part of the way may touch; the others of a list are not asked there.
 //
@@ -188,9 +188,11 @@ MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
     float slope = 0.5 * (value_before - value_behind);
     float bend = value_before + value_behind - 2.0 * value_there;
     float depth = bend > 1.0e-4 * abs(slope) ? 0.5 * slope * slope / bend : 1.0e30;
-    if (!contact.enters) depth = -value_there;
+    // Values of several bodies have several units: what is beside all of them is so by its distance.
+    vec2 nearest = march_nearest(place, value_there);
+    depth = contact.enters ? depth / nearest.y : -nearest.x;
     float pixel = max(way_pixel(way, place, contact.at), 1.0e-20);
-    float cover = march_cover(depth / (march_slope(place) * pixel), MARCH_THINNEST * frame.march.y / pixel);
+    float cover = march_cover(depth / pixel, MARCH_THINNEST * frame.march.y / pixel);
     if (contact.enters) contact.covered = blur > 0.0 ? cover : 1.0;
     else if (span.grazes && blur > 0.0) contact.covered = cover;
     return contact;

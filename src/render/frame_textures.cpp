@@ -140,7 +140,8 @@ Status add_files(const Scene& scene, const EffectSet& effects, List& to) {
 void add_pictures(const Scene& scene, const EffectSet& effects, List& to) {
     if (!keeps_light(passes(effects, Output::kDisplay))) return;
     const long long w = scene.camera.width, h = scene.camera.height;
-    to.add("linear picture", 1, w, h, static_cast<long long>(gl::bytes_of(gl::filtered_light())) * w * h, keeps).reason = "camera.size";
+    to.add("linear picture", 1, w, h, static_cast<long long>(gl::bytes_of(gl::filtered_light())) * w * h, keeps)
+        .reason = "camera.size";
     if (std::ranges::any_of(effects.list(), scatters))  // halves of halves, down and up
         to.add("bloom", 2, (w + 1) / 2, (h + 1) / 2,
                static_cast<long long>(Bloom::bytes(scene.camera.width, scene.camera.height)), scatters);

@@ -235,7 +235,7 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
     const bool sides = effects.contains(Effect::kSides), mino = light_path_kind(effects) == LightPathKind::kMino;
     const bool lists = !sides && std::ranges::any_of(groups, &Group::is_list);
     const char* near = lists ? "bodies_near" : nullptr;
-    std::string ask, slope, object, clear, list, helpers = includes_of(groups);
+    std::string ask, nearest, object, clear, list, helpers = includes_of(groups);
     if (has_tiles(effects) || lists) helpers += include_line("core/bits.glsl");
     if (lists)
         helpers +=
@@ -260,11 +260,11 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
         ask += for_each(
             group, fmt::format("    value = min(value, {});\n    room = min(room, {});\n", here("value"), here("room")),
             near);
-        slope += for_each(
-            group,
-            fmt::format("    if (abs({0}) < nearest) {{\n        nearest = abs({0});\n        slope = {1};\n    }}\n",
-                        far, has_distance(group) ? here("steepness") : "1.0"),
-            near);
+        nearest +=
+            for_each(group,
+                     fmt::format("    next = {0};\n    if (abs(next) < abs(nearest.x)) nearest = vec2(next, {1});\n",
+                                 far, has_distance(group) ? here("steepness") : "1.0"),
+                     near);
         if (group.is_list())
             list += for_each(
                 group, fmt::format("    if (!({} > way)) bodies_near = with_bit(i, bodies_near);\n", here("room")),
@@ -298,9 +298,10 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
     return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + helpers + stop +
            "vec2 march_ask(RayPlace place) {\n    float value = 1.0e30;\n    float room = 1.0e30;\n" + ask +
            "    return vec2(value, room);\n}\n" +
-           (across > 0 ? "float march_slope(RayPlace place) {\n    float nearest = 1.0e30;\n    float slope = 1.0;\n" +
-                             slope + "    return slope;\n}\n"
-                       : "float march_slope(RayPlace place) { return 1.0; }\n") +
+           (across > 0 ? "vec2 march_nearest(RayPlace place, float value) {\n    vec2 nearest = vec2(1.0e30, 1.0);\n"
+                         "    float next = 0.0;\n" +
+                             nearest + "    return nearest;\n}\n"
+                       : "vec2 march_nearest(RayPlace place, float value) { return vec2(value, 1.0); }\n") +
            (lists ? "void march_list(RayPlace place, float way) {\n    bodies_near = uvec2(0u, 0u);\n" + list + "}\n"
                   : "") +
            (groups.front().shape.marched ? "" : "#define TILES_HAVE_SPHERE\n") +

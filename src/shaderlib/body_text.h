@@ -17,7 +17,7 @@ inline constexpr int kBallPathAhead = 64;  // cells of a ball's path, for which 
 struct BodyText {
     std::string objects;    // OBJECT_VECTORS and where in them what begins
     std::string surfaces;   // surface_value, ...: the solids that are given by formulas
-    std::string march;      // march_ask, march_slope, march_object, MARCH_MOST_STEPS
+    std::string march;      // march_ask, march_nearest, march_object, MARCH_MOST_STEPS
     std::string hit;        // solid_hit: the first body on the ray; about a rotating hole the tracer finds it
     std::string light;      // solid_light: and its light
     std::string materials;  // disc_material_pattern, sky_pattern: what a disc and a sky without images are painted with

@@ -106,6 +106,51 @@ TEST_CASE("bodies: hits, places and fates are the reference's at every pixel") {
     });
 }
 
+// Pixels that show bodies' light though they and all of their neighbours look at the sky.
+int lit_beside_bodies(GpuSession& session, Scene& scene) {
+    scene.camera.width = 32, scene.camera.height = 18, scene.camera.r = 28.3;
+    scene.sky.kind = SkyKind::kPlain;
+    scene.picture.refine = false;
+    REQUIRE(session.renderer->prepare(scene));
+    const Image<float> picture = session.renderer->picture();
+    const RayFrame rays = session.renderer->ray_data();
+    const float sky = *picture.at(0, 0);
+    int lit = 0;
+    for (int y = 1; y + 1 < rays.height; ++y)
+        for (int x = 1; x + 1 < rays.width; ++x) {
+            bool alone = true;
+            for (int j = y - 1; j <= y + 1; ++j)
+                for (int i = x - 1; i <= x + 1; ++i) alone = alone && rays.at(i, j).fate == Fate::kEscaped;
+            lit += alone && std::abs(*picture.at(x, y) - sky) > 1e-4F * sky;
+        }
+    return lit;
+}
+
+// Soft edges are half a pixel wide, and pixels are wide here: what one body's formula is far from it must not count for another's distance.
+TEST_CASE("bodies: two kinds side by side shed no light beside them") {
+    const std::vector<std::pair<const char*, void (*)(Scene&)>> bodies = {
+        {"sphere", [](Scene& s) { add_body<SphereSpec>(s); }},
+        {"cylinder", [](Scene& s) { add_body<CylinderSpec>(s); }},
+        {"ball", [](Scene& s) { add_body<BallSpec>(s).position = {6, 0, 0}; }},
+        {"steep surface", [](Scene& s) { add_body<SurfaceSpec>(s).shape = "40 * (length(x, y - 5, z) - 2)"; }},
+        {"surface", [](Scene& s) { add_body<SurfaceSpec>(s); }}};
+    on_one_context([&](GpuSession& session) {
+        Selection selection(3);
+        for (const char* metric : {"minkowski", "schwarzschild", "kerr"})
+            for (std::size_t a = 0; a < bodies.size(); ++a)
+                for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+                    if (!selection.takes_next()) continue;
+                    CAPTURE(metric);
+                    CAPTURE(bodies[a].first);
+                    CAPTURE(bodies[b].first);
+                    Scene scene;
+                    scene.spacetime.metric = metric;
+                    bodies[a].second(scene), bodies[b].second(scene);
+                    CHECK(lit_beside_bodies(session, scene) == 0);
+                }
+    });
+}
+
 // The rounding of the camera's distance is far above a body's size: from there all is as from 1e5 r_s, but for what that is nearer. Moving
 // bodies are looked at when light of the same time arrives.
 TEST_CASE("bodies: from far away hits and places are those from nearer") {
