@@ -28,16 +28,20 @@ struct BounceRate {
     }
 };
 
-}  // namespace
+// The same V about zeta = 0: zeta^2 A, A = 1 at the sky.
+Barrier about_sky(const Barrier& barrier) {
+    const double z = barrier.zeta, c4 = barrier.c[3];
+    return {0.0, 0.0, {0.0, 1.0, barrier.c[2] - 4.0 * c4 * z, c4}};
+}
 
-double bounce_to_sky(const Barrier& barrier, double zeta0, double d, double inward) {
+double swept(const Barrier& barrier, double zeta0, double d, double inward, double farthest) {
     const auto [c1, c2, c3, c4] = barrier.c;
     const auto p = [&, c1 = c1, c2 = c2, c3 = c3, c4 = c4](double x) {
         return d - x * (c1 + x * (c2 + x * (c3 + x * c4)));
     };
-    // The turning point: below zeta_d where d < 0, above it elsewhere; |x| bracketed.
+    // The turning point: below zeta_d where d < 0, above it elsewhere; |x| bracketed, at first to `farthest`.
     const double side = d < 0.0 ? -1.0 : 1.0;
-    double low = 0.0, high = side < 0.0 ? barrier.zeta : 1.0;
+    double low = 0.0, high = farthest;
     if (side > 0.0)
         while (p(high) > 0.0) low = high, high *= 2.0;
     double y = 0.5 * (low + high);
@@ -62,6 +66,15 @@ double bounce_to_sky(const Barrier& barrier, double zeta0, double d, double inwa
     const double camera = std::sqrt(s2), sky = std::sqrt(rate.e + barrier.zeta);
     const double out = rate.integral(camera, std::max(sky, camera));
     return inward > 0.0 ? out + 2.0 * rate.integral(0.0, camera) : out;
+}
+
+}  // namespace
+
+double bounce_to_sky(const Barrier& barrier, double zeta0, double q, double d, double inward) {
+    constexpr double kFarOutside = 0.25;  // of V(zeta_d)
+    if (zeta0 < barrier.zeta && q * q < kFarOutside * barrier.v)
+        return swept(about_sky(barrier), zeta0, q * q, inward, barrier.zeta);
+    return swept(barrier, zeta0, d, inward, d < 0.0 ? barrier.zeta : 1.0);
 }
 
 }  // namespace nullscope

@@ -8,8 +8,10 @@
 
 namespace nullscope {
 
-// Angle from the camera at zeta0 to the sky of the ray with d as above (without cancellation) and q cos(beta), positive inward.
-// Error 1e-11. Some hundred to a thousand square roots.
-double bounce_to_sky(const Barrier& barrier, double zeta0, double d, double inward);
+// Rays that turn far outside of zeta_d have their digits in q, not in d: there x = zeta, V = zeta^2 (1 + zeta (...)) and d = q^2.
+//
+// Angle from the camera at zeta0 to the sky of the ray with q, d as above (without cancellation) and q cos(beta), positive inward.
+// Error 1e-11, from any distance. Some hundred to a thousand square roots.
+double bounce_to_sky(const Barrier& barrier, double zeta0, double q, double d, double inward);
 
 }  // namespace nullscope

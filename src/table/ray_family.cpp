@@ -156,7 +156,7 @@ FanRay RayFamily::ray(Segment segment, double delta) const {
     if (barrier_) {
         // q^2 - V(zeta_d): a product next to the critical direction; slope^2 + V(zeta0) - V(zeta_d) where there is none.
         const double d = theta_c_ > 0.0 ? -barrier_->v * one_minus_kd2 : square(ray.slope) + over_barrier_;
-        ray.phi_end = bounce_to_sky(*barrier_, zeta0_, d == 0.0 ? kNoAngle : d, ray.slope);
+        ray.phi_end = bounce_to_sky(*barrier_, zeta0_, ray.q, d == 0.0 ? kNoAngle : d, ray.slope);
         return ray;
     }
     const double whole = grazes_ ? one_minus_k2(photon_, t, t - photon_.t) : one_minus_kd2;

@@ -100,4 +100,28 @@ TEST_CASE("ray family: nothing happens to rays as a camera falls through the hor
     }
 }
 
+// Light that turns at 1e3 r_s and more is bent by (1 + cos(beta))/b and, at the next order, by less than 2/b of that.
+TEST_CASE("ray family: far from a charge without horizon light is bent as weakly as it should be") {
+    constexpr double kFarSweep = 2e-11;  // rad: the panels'
+    for (const double charge : {1.02, 1.2, 2.03, 3.0})
+        for (const double r : {1e4, 1e6, 1e8, 1e10}) {
+            const auto spacetime = test::spherical("reissner-nordstrom", {{"charge", charge}});
+            const RayFamily family(spacetime, nullptr, r, frame_at_rest(spacetime->lapse_squared(r)));
+            double worst = 0;
+            int rays = 0;
+            for (const Segment segment : {Segment::kSky, Segment::kCaptured})
+                for (double delta = 1e-6; delta < family.delta_limit(segment); delta *= 1.7) {
+                    const FanRay ray = family.ray(segment, delta);
+                    if (!(1 / ray.q > 1e3)) continue;
+                    const double weak = (1 + std::cos(ray.beta)) * ray.q;
+                    worst = std::max(worst, std::fabs(ray.phi_end - (M_PI - ray.beta) - weak) - 2 * ray.q * weak);
+                    ++rays;
+                }
+            CAPTURE(charge);
+            CAPTURE(r);
+            CHECK(rays > 3);
+            CHECK(worst < kFarSweep);
+        }
+}
+
 }  // namespace
