@@ -28,7 +28,7 @@ Trace trace_to_sky(vec2 pixel, vec3 sky, vec3 right, vec3 up) {
     SpinView view = spin_view(pixel);
     trace.pixel_angle = view.pixel_angle;
     trace.doppler = view.doppler;
-    trace.energy = -spin_form(frame.spin_energy, view.direction);
+    trace.energy = -spin_energy(view.direction);
     trace.escapes = true;
     trace.sky = sky;
     trace.sky_sides.along = right;

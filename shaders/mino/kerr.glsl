@@ -16,6 +16,12 @@
 // until the horizon is some way behind, or the ray slows down to turn, where zeta' by a root would lose its digits.
 #ifdef EFFECT_SPIN_RING
 #include "mino/ring.glsl"
+#define NEEDS_FINE_ZETA      // zeta + fine, more digits than a float's
+#endif
+#ifdef EFFECT_SPIN_NEAR
+#include "mino/near.glsl"
+#define NEEDS_FINE_ZETA
+#define NEEDS_FINE_AZIMUTH
 #endif
 #include "shared/frame.glsl"
 
@@ -34,6 +40,9 @@ struct SpinRay {
 #ifdef EFFECT_SPIN_RING
     RingBarrier barrier;
 #endif
+#ifdef EFFECT_SPIN_NEAR
+    NearHorizon near;
+#endif
 };
 
 // y = (n, zeta), v = y', f = y'' in Mino's time; drag = psi'.
@@ -41,8 +50,8 @@ struct SpinState {
     vec4 y;
     vec4 v;
     vec4 f;
-#ifdef EFFECT_SPIN_RING
-    float fine;       // of zeta (mino/ring.glsl)
+#ifdef NEEDS_FINE_ZETA
+    float fine;       // of zeta
 #endif
     float psi;
     float drag;
@@ -55,10 +64,20 @@ struct SpinState {
 #endif
 };
 
-// fine: of zeta, 0 but next to the critical curve.
+#ifdef NEEDS_FINE_ZETA
+float spin_fine_of(SpinState at) { return at.fine; }
+#else
+float spin_fine_of(SpinState at) { return 0.0; }
+#endif
+
+// fine: of zeta, here and below; 0 but next to the critical curve and the horizon.
 vec4 spin_force(SpinRay ray, vec4 y, float fine) {
     float across = -(ray.j2 + 2.0 * ray.a2e2 * y.z * y.z);
+#ifdef EFFECT_SPIN_NEAR
+    float outward = near_force(ray.near, ray.k, y.w, fine);
+#else
     float outward = y.w * (ray.a2e2 - ray.j2 + y.w * (1.5 * ray.k - 2.0 * ray.cubic * y.w));
+#endif
 #ifdef EFFECT_SPIN_RING
     float w = ring_offset(ray.barrier, y.w, fine);
     outward = abs(w) < ray.barrier.beside ? ring_force(ray.barrier, w) : outward;
@@ -66,60 +85,94 @@ vec4 spin_force(SpinRay ray, vec4 y, float fine) {
     return vec4(across * y.x, across * y.y, (across + ray.a2e2) * y.z, outward);
 }
 
-// Delta zeta^2, a product: exact next to the horizon.
-float spin_delta(SpinRay ray, float zeta) { return (1.0 - ray.outer * zeta) * (1.0 - ray.inner * zeta); }
+// 1 - r_+ zeta and 1 - r_- zeta.
+vec2 spin_above(SpinRay ray, float zeta, float fine) {
+#ifdef EFFECT_SPIN_NEAR
+    float above = near_above(ray.near, zeta, fine);
+    return vec2(above, near_below(ray.near, above));
+#else
+    return vec2(1.0 - ray.outer * zeta, 1.0 - ray.inner * zeta);
+#endif
+}
 
-float spin_drag(SpinRay ray, float zeta) {
-    return ray.a * zeta * (ray.energy - ray.pull * zeta) / spin_delta(ray, zeta);
+// Delta zeta^2, a product: exact next to the horizon.
+float spin_delta(SpinRay ray, float zeta, float fine) {
+    vec2 above = spin_above(ray, zeta, fine);
+    return above.x * above.y;
 }
 
 // X of the photon: E (r^2 + a^2) - a L over r^2; above 0 on this side of the horizons.
-float spin_x(SpinRay ray, float zeta) {
+float spin_x(SpinRay ray, float zeta, float fine) {
+#ifdef EFFECT_SPIN_NEAR
+    return near_x(ray.near, zeta, near_above(ray.near, zeta, fine));
+#else
     return ray.a * ray.momentum * zeta * zeta - ray.energy * (1.0 + ray.a * ray.a * zeta * zeta);
+#endif
+}
+
+float spin_drag(SpinRay ray, float zeta, float fine) {
+#ifdef EFFECT_SPIN_NEAR
+    return -ray.a * (ray.energy + spin_x(ray, zeta, fine) / spin_delta(ray, zeta, fine));
+#else
+    return ray.a * zeta * (ray.energy - ray.pull * zeta) / spin_delta(ray, zeta, fine);
+#endif
 }
 
 // phi' less that of int a/Delta dr along the ray's own sense, inward or outward, with speed |zeta'| = sqrt(X^2 - Delta zeta^4 K): regular at
 // the horizon that lies there.
-float spin_regular_drag(SpinRay ray, float zeta, float speed) {
-    return -ray.a * (ray.energy + ray.k * zeta * zeta / max(spin_x(ray, zeta) + speed, 1.0e-12));
+float spin_regular_drag(SpinRay ray, float zeta, float fine, float speed) {
+    return -ray.a * (ray.energy + ray.k * zeta * zeta / max(spin_x(ray, zeta, fine) + speed, 1.0e-12));
 }
 
 // int a/Delta dr from zeta on to the sky.
-float spin_winding(SpinRay ray, float zeta) {
-    return frame.spin_turn.y * log(max(1.0 - ray.inner * zeta, 1.0e-12) / max(1.0 - ray.outer * zeta, 1.0e-12));
+float spin_winding(SpinRay ray, float zeta, float fine) {
+    vec2 above = spin_above(ray, zeta, fine);
+    return frame.spin_turn.y * log(max(above.y, 1.0e-12) / max(above.x, 1.0e-12));
 }
 
 #ifdef NEEDS_FINE_AZIMUTH
-// On the way inward, at zeta inside a step.
-float spin_inward_turning(SpinRay ray, float zeta) {
-    float x = spin_x(ray, zeta);
-    return spin_regular_drag(ray, zeta, sqrt(max(x * x - spin_delta(ray, zeta) * ray.k * zeta * zeta, 0.0)));
+// By how much it is more from zeta on than from to_zeta on.
+float spin_wound(SpinRay ray, float zeta, float fine, float to_zeta, float to_fine) {
+#ifdef EFFECT_SPIN_NEAR
+    return frame.spin_turn.y * near_log(ray.near, near_above(ray.near, zeta, fine), near_above(ray.near, to_zeta, to_fine));
+#else
+    return spin_winding(ray, zeta, fine) - spin_winding(ray, to_zeta, to_fine);
+#endif
+}
+
+// spin_regular_drag at zeta inside a step that keeps on inward or outward.
+float spin_level_turning(SpinRay ray, float zeta, float fine) {
+    float x = spin_x(ray, zeta, fine);
+    return spin_regular_drag(ray, zeta, fine, sqrt(max(x * x - spin_delta(ray, zeta, fine) * ray.k * zeta * zeta, 0.0)));
 }
 #endif
 
 #ifdef EFFECT_SPIN_FALL
-float ingoing_speed2(SpinRay ray, float zeta, float x) { return x * x - spin_delta(ray, zeta) * ray.k * zeta * zeta; }
+float ingoing_speed2(SpinRay ray, float zeta, float fine, float x) { return x * x - spin_delta(ray, zeta, fine) * ray.k * zeta * zeta; }
 
 // psi' at zeta inside a step.
-float spin_turning(SpinRay ray, SpinState from, float zeta) {
-    float speed = sqrt(max(ingoing_speed2(ray, zeta, spin_x(ray, zeta)), 0.0));
-    return from.ingoing ? spin_regular_drag(ray, zeta, speed) : spin_drag(ray, zeta);
+float spin_turning(SpinRay ray, SpinState from, float zeta, float fine) {
+    float speed = sqrt(max(ingoing_speed2(ray, zeta, fine, spin_x(ray, zeta, fine)), 0.0));
+    return from.ingoing ? spin_regular_drag(ray, zeta, fine, speed) : spin_drag(ray, zeta, fine);
 }
 
 float spin_turning_at(SpinRay ray, SpinState at) {
-    return at.ingoing ? spin_regular_drag(ray, at.y.w, -at.v.w) : spin_drag(ray, at.y.w);
+    float fine = spin_fine_of(at);
+    return at.ingoing ? spin_regular_drag(ray, at.y.w, fine, -at.v.w) : spin_drag(ray, at.y.w, fine);
 }
 
 #define INGOING_DELTA 0.1    // Delta zeta^2 from which on the horizon is behind
 #define INGOING_DEEP 8.0    // of a step inside the horizon
 #define INGOING_SLOW 0.5     // zeta'^2 over X^2: the next step ends before the turn
-bool ingoing_stays(SpinRay ray, float zeta, float slope) {
-    float x = spin_x(ray, zeta);
-    return ray.outer * zeta >= 1.0 || (slope <= 0.0 && spin_delta(ray, zeta) <= INGOING_DELTA && slope * slope >= INGOING_SLOW * x * x);
+bool ingoing_stays(SpinRay ray, SpinState at) {
+    float fine = spin_fine_of(at);
+    float slope = at.v.w;
+    float x = spin_x(ray, at.y.w, fine);
+    return spin_above(ray, at.y.w, fine).x <= 0.0 || (slope <= 0.0 && spin_delta(ray, at.y.w, fine) <= INGOING_DELTA && slope * slope >= INGOING_SLOW * x * x);
 }
 #else
-float spin_turning(SpinRay ray, SpinState from, float zeta) { return spin_drag(ray, zeta); }
-float spin_turning_at(SpinRay ray, SpinState at) { return spin_drag(ray, at.y.w); }
+float spin_turning(SpinRay ray, SpinState from, float zeta, float fine) { return spin_drag(ray, zeta, fine); }
+float spin_turning_at(SpinRay ray, SpinState at) { return spin_drag(ray, at.y.w, spin_fine_of(at)); }
 #endif
 
 #ifdef NEEDS_LIGHT_TIMES
@@ -138,45 +191,46 @@ float spin_turning_at(SpinRay ray, SpinState at) { return spin_drag(ray, at.y.w)
 #define LAG_LEAST_ENERGY 1.0e-3
 
 // r_*
-float spin_tortoise(SpinRay ray, float zeta) {
+float spin_tortoise(SpinRay ray, float zeta, float fine) {
+    vec2 above = spin_above(ray, zeta, fine);
     float split = frame.spin_turn.y / ray.a;   // 1/(r_+ - r_-)
-    return 1.0 / zeta - log(zeta) + split * ((ray.outer - frame.spin_turn.z) * log(max(1.0 - ray.outer * zeta, 1.0e-7)) - (ray.inner - frame.spin_turn.z) * log(max(1.0 - ray.inner * zeta, 1.0e-7)));
+    return 1.0 / zeta - log(zeta) + split * ((ray.outer - frame.spin_turn.z) * log(max(above.x, 1.0e-7)) - (ray.inner - frame.spin_turn.z) * log(max(above.y, 1.0e-7)));
 }
 
-bool travel_time_is_level(SpinRay ray, float zeta, float slope) {
-    float x = spin_x(ray, zeta);
+bool travel_time_is_level(SpinRay ray, float zeta, float fine, float slope) {
+    float x = spin_x(ray, zeta, fine);
     return slope * slope > LAG_SLOW * x * x;
 }
 
 // Of a step between two states: does the ray keep on inward or outward, clear of a turn?
-bool travel_time_keeps(SpinRay ray, SpinState from, vec4 to_y, float to_slope) {
-    return from.v.w * to_slope > 0.0 && travel_time_is_level(ray, from.y.w, from.v.w) && travel_time_is_level(ray, to_y.w, to_slope);
+bool travel_time_keeps(SpinRay ray, SpinState from, SpinState to) {
+    return from.v.w * to.v.w > 0.0 && travel_time_is_level(ray, from.y.w, spin_fine_of(from), from.v.w) && travel_time_is_level(ray, to.y.w, spin_fine_of(to), to.v.w);
 }
 
-float travel_time_rate(SpinRay ray, bool keeps, vec4 y) {
+float travel_time_rate(SpinRay ray, bool keeps, vec4 y, float fine) {
     float zeta = y.w;
-    float x = spin_x(ray, zeta);
-    float delta = spin_delta(ray, zeta);
+    float x = spin_x(ray, zeta, fine);
+    float delta = spin_delta(ray, zeta, fine);
     float round = ray.a * (ray.a * ray.energy * (1.0 - y.z * y.z) - ray.momentum);
     float speed = sqrt(max(x * x - delta * zeta * zeta * ray.k, 0.0));
     float level = (1.0 + ray.a * ray.a * zeta * zeta) * ray.k / max(x + speed, 1.0e-12);
     float energy = max(-ray.energy, LAG_LEAST_ENERGY);
     float inverse = 1.0 / max(zeta, 1.0e-12);
-    float turning = x * (x * (inverse - ray.a2c) - ray.a * ray.momentum) / (energy * max(delta, 1.0e-7)) + delta * ray.k / energy + spin_force(ray, y, 0.0).w * inverse / energy;
+    float turning = x * (x * (inverse - ray.a2c) - ray.a * ray.momentum) / (energy * max(delta, 1.0e-7)) + delta * ray.k / energy + spin_force(ray, y, fine).w * inverse / energy;
     return round + (keeps ? level : turning);
 }
 
-// What T grows by beside the integral of travel_time_rate, from (zeta, zeta') to (zeta, zeta').
-float travel_time_jump(SpinRay ray, bool keeps, int afar, vec2 from, vec2 to) {
+// What T grows by beside the integral of travel_time_rate, from (zeta, zeta', fine) to (zeta, zeta', fine).
+float travel_time_jump(SpinRay ray, bool keeps, int afar, vec3 from, vec3 to) {
     bool outward = from.y < 0.0;
     float low = max(from.x, 1.0e-12);
     float high = max(to.x, 1.0e-12);
-    float radii = spin_tortoise(ray, low) - spin_tortoise(ray, high);
+    float radii = spin_tortoise(ray, low, from.z) - spin_tortoise(ray, high, to.z);
     float twice = 2.0 * radii;
     bool comes_in = afar == AFAR_INWARD;
     float level = outward || comes_in ? 0.0 : twice;
     float energy = max(-ray.energy, LAG_LEAST_ENERGY);
-    float before = comes_in ? 2.0 * spin_tortoise(ray, low) : 0.0;
+    float before = comes_in ? 2.0 * spin_tortoise(ray, low, from.z) : 0.0;
     float turning = radii + (from.y / low - to.y / high) / energy - before;
     return keeps ? level : turning;
 }

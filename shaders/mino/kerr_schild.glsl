@@ -50,9 +50,9 @@ vec4 kerr_schild_march(SpinRay ray, vec3 n) {
     float sine = frame.spin_place.x;
     float cosine = frame.spin_place.y;
     float energy = -ray.energy;
-    float across = -spin_form(frame.spin_across, n) / energy;   // of the photon over E
+    float across = -spin_across(n) / energy;   // of the photon over E
     float p_theta = frame.spin_energy.w * n.y / energy;
-    float climb = -spin_form(frame.spin_climb, n) * r * r / energy;
+    float climb = -spin_climb(n) * r * r / energy;
     float x = r * r + a * a - a * across * sine;
     float p_r = (climb < 0.0 ? ray.k / (energy * energy) / (x - climb) : (x + climb) / ((r - ray.outer) * (r - ray.inner))) - 1.0;
     // The camera at phi~ = 0: p along d(place)/dr, d(place)/dtheta and d(place)/dphi over sin(theta).

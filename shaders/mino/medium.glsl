@@ -54,7 +54,7 @@ float medium_turn(SpinRay ray, SpinSegment segment, float s) {
     vec4 y = spin_at(segment.arc, s);
     float turned = segment_turned(ray, segment, s, y);
 #ifdef EFFECT_MEDIUM_GRID
-    turned -= frame.medium_nodes.w * spin_winding(ray, y.w);
+    turned -= frame.medium_nodes.w * spin_winding(ray, y.w, spin_fine_at(segment.arc, s, y.w));
 #endif
     return turned;
 #else

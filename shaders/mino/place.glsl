@@ -32,7 +32,7 @@ RayPlace segment_place(SpinRay ray, SpinSegment segment, float s) {
     place.r = 1.0 / zeta;
     place.outward = place_turned(vec3(y.x, y.y, y.z), c, t);
     place.at = place.r * place.outward;
-    float turning = spin_drag(ray, zeta) * segment.h;
+    float turning = spin_drag(ray, zeta, spin_fine_at(segment.arc, s, y.w)) * segment.h;
     turning = ray.outer * zeta < 1.0 ? turning : 0.0;
     place.velocity = place.r * (place_turned(vec3(slope.x, slope.y, slope.z), c, t) + turning * vec3(-place.outward.y, place.outward.x, 0.0) -
                                 (slope.w * place.r) * place.outward);

@@ -13,7 +13,7 @@
 
 struct RingBarrier {
     float saddle;
-    float beside;     // 0: there is none outside of the horizon
+    float beside;     // 0: there is none outside of the horizon, or its peak is not known
     float steep;
     float tilt;
     float quartic;
@@ -30,18 +30,19 @@ float ring_peak(vec2 pixel) {
     return a.x + x * (a.y + x * (a.w + x * b.z + y * b.w) + y * (b.x + y * c.x)) + y * (a.z + y * (b.y + y * c.y));
 }
 
-// energy, fall = J^2 - a^2 E^2, k and quartic = a^2 Q + c K: the ray's. horizon: the outer one's radius.
-RingBarrier ring_barrier(vec2 pixel, float energy, float fall, float k, float quartic, float horizon) {
+// fall = J^2 - a^2 E^2, k and quartic = a^2 Q + c K: the ray's. horizon: the outer one's radius. Without the host's peak, in views that are not small beside the
+// hole, there is none: one formed here has fewer digits than the force itself.
+RingBarrier ring_barrier(vec2 pixel, float fall, float k, float quartic, float horizon) {
     RingBarrier barrier;
     float root2 = 2.25 * k * k - 8.0 * quartic * fall;
     float root = sqrt(max(root2, 0.0));
     float saddle = 2.0 * fall / max(1.5 * k + root, 1.0e-30);
     barrier.saddle = saddle;
-    barrier.beside = root2 > 0.0 && saddle > 0.0 && saddle * horizon < 1.0 ? RING_BESIDE * saddle : 0.0;
+    barrier.beside = frame.ring_peak_3.z > 0.0 && root2 > 0.0 && saddle > 0.0 && saddle * horizon < 1.0 ? RING_BESIDE * saddle : 0.0;
     barrier.steep = saddle * root;
     barrier.tilt = k - 4.0 * quartic * saddle;
     barrier.quartic = quartic;
-    barrier.peak = frame.ring_peak_3.z > 0.0 ? ring_peak(pixel) : energy * energy - saddle * saddle * saddle * (0.5 * k - quartic * saddle);
+    barrier.peak = ring_peak(pixel);
     return barrier;
 }
 
@@ -58,6 +59,3 @@ vec2 ring_settling(RingBarrier barrier, float w, float slope) {
     float share = abs(w) < barrier.beside ? 0.5 * excess / max(barrier.steep * slope * slope + force * force, 1.0e-36) : 0.0;
     return vec2(share * force, -share * barrier.steep * slope);
 }
-
-// A float sum is rounded, whatever a compiler that takes (a + b) - a for b may think: frame.ring_peak_3.w is far below every zeta.
-float ring_sum(float zeta, float more) { return max(zeta + more, frame.ring_peak_3.w); }

@@ -11,6 +11,9 @@ struct SpinArc {
     vec4 c3;
     vec4 c4;
     vec4 c5;
+#ifdef NEEDS_FINE_ZETA
+    float fine;       // of c0
+#endif
 };
 
 SpinArc spin_arc(SpinState from, SpinState to, float h) {
@@ -19,6 +22,10 @@ SpinArc spin_arc(SpinState from, SpinState to, float h) {
     arc.c1 = h * from.v;
     arc.c2 = (0.5 * h * h) * from.f;
     vec4 d = to.y - arc.c0 - arc.c1 - arc.c2;
+#ifdef NEEDS_FINE_ZETA
+    arc.fine = from.fine;
+    d.w += to.fine - from.fine;
+#endif
     vec4 dv = h * to.v - arc.c1 - 2.0 * arc.c2;
     vec4 df = (h * h) * to.f - 2.0 * arc.c2;
     arc.c3 = 10.0 * d - 4.0 * dv + 0.5 * df;
@@ -29,6 +36,15 @@ SpinArc spin_arc(SpinState from, SpinState to, float h) {
 
 vec4 spin_at(SpinArc arc, float s) {
     return arc.c0 + s * (arc.c1 + s * (arc.c2 + s * (arc.c3 + s * (arc.c4 + s * arc.c5))));
+}
+
+// Of zeta in what spin_at() gives.
+float spin_fine_at(SpinArc arc, float s, float zeta) {
+#ifdef NEEDS_FINE_ZETA
+    return arc.fine + (s * (arc.c1.w + s * (arc.c2.w + s * (arc.c3.w + s * (arc.c4.w + s * arc.c5.w)))) - (zeta - arc.c0.w));
+#else
+    return 0.0;
+#endif
 }
 
 vec4 spin_slope_at(SpinArc arc, float s) {
@@ -79,14 +95,14 @@ struct SpinSegment {
     bool keeps;
     float travel_time;
     int afar;
-    vec2 start;       // zeta, zeta'
+    vec3 start;       // zeta, zeta', fine
     SpinSum travel_times;
 #endif
 };
 
-float segment_turning(SpinRay ray, SpinState from, bool inward, vec4 y, float slope) {
-    float regular = spin_regular_drag(ray, y.w, slope);
-    float turning = spin_turning(ray, from, y.w);
+float segment_turning(SpinRay ray, SpinState from, bool inward, vec4 y, float fine, float slope) {
+    float regular = spin_regular_drag(ray, y.w, fine, slope);
+    float turning = spin_turning(ray, from, y.w, fine);
     return inward ? regular : turning;
 }
 
@@ -98,29 +114,32 @@ SpinSegment spin_segment(SpinRay ray, SpinState from, SpinState to, float h) {
     vec4 y1 = spin_at(segment.arc, LOBATTO_POINT);
     vec4 y2 = spin_at(segment.arc, 0.5);
     vec4 y3 = spin_at(segment.arc, 1.0 - LOBATTO_POINT);
-    segment.turn = spin_sum(h * segment_turning(ray, from, inward, from.y, from.v.w), h * segment_turning(ray, from, inward, y1, spin_slope_at(segment.arc, LOBATTO_POINT).w / h),
-                        h * segment_turning(ray, from, inward, y2, spin_slope_at(segment.arc, 0.5).w / h),
-                        h * segment_turning(ray, from, inward, y3, spin_slope_at(segment.arc, 1.0 - LOBATTO_POINT).w / h), h * segment_turning(ray, from, inward, to.y, to.v.w));
+    float fine1 = spin_fine_at(segment.arc, LOBATTO_POINT, y1.w);
+    float fine2 = spin_fine_at(segment.arc, 0.5, y2.w);
+    float fine3 = spin_fine_at(segment.arc, 1.0 - LOBATTO_POINT, y3.w);
+    segment.turn = spin_sum(h * segment_turning(ray, from, inward, from.y, spin_fine_of(from), from.v.w), h * segment_turning(ray, from, inward, y1, fine1, spin_slope_at(segment.arc, LOBATTO_POINT).w / h),
+                        h * segment_turning(ray, from, inward, y2, fine2, spin_slope_at(segment.arc, 0.5).w / h),
+                        h * segment_turning(ray, from, inward, y3, fine3, spin_slope_at(segment.arc, 1.0 - LOBATTO_POINT).w / h), h * segment_turning(ray, from, inward, to.y, spin_fine_of(to), to.v.w));
     segment.winding = inward ? -1.0 : 0.0;
-    float wound = spin_winding(ray, from.y.w);
+    float wound = spin_winding(ray, from.y.w, spin_fine_of(from));
     segment.psi = from.psi + (inward ? wound : 0.0);
 #ifdef EFFECT_SPIN_FALL
     segment.winding = from.ingoing ? 1.0 : segment.winding;
 #endif
 #ifdef NEEDS_LIGHT_TIMES
-    segment.keeps = travel_time_keeps(ray, from, to.y, to.v.w);
+    segment.keeps = travel_time_keeps(ray, from, to);
     segment.travel_time = from.travel_time;
     segment.afar = from.afar;
-    segment.start = vec2(from.y.w, from.v.w);
-    segment.travel_times = spin_sum(h * travel_time_rate(ray, segment.keeps, from.y), h * travel_time_rate(ray, segment.keeps, y1), h * travel_time_rate(ray, segment.keeps, y2), h * travel_time_rate(ray, segment.keeps, y3),
-                        h * travel_time_rate(ray, segment.keeps, to.y));
+    segment.start = vec3(from.y.w, from.v.w, spin_fine_of(from));
+    segment.travel_times = spin_sum(h * travel_time_rate(ray, segment.keeps, from.y, spin_fine_of(from)), h * travel_time_rate(ray, segment.keeps, y1, fine1), h * travel_time_rate(ray, segment.keeps, y2, fine2), h * travel_time_rate(ray, segment.keeps, y3, fine3),
+                        h * travel_time_rate(ray, segment.keeps, to.y, spin_fine_of(to)));
 #endif
     return segment;
 }
 
 // Azimuth of Boyer and Lindquist less that of n. y: spin_at(segment.arc, s)
 float segment_turned(SpinRay ray, SpinSegment segment, float s, vec4 y) {
-    return segment.psi + spin_sum_to(segment.turn, s) + segment.winding * spin_winding(ray, y.w);
+    return segment.psi + spin_sum_to(segment.turn, s) + segment.winding * spin_winding(ray, y.w, spin_fine_at(segment.arc, s, y.w));
 }
 
 // psi at its end: where phi winds up better than the step itself has it, for places next to the horizon.
@@ -130,8 +149,8 @@ float segment_psi(SpinRay ray, SpinSegment segment, SpinState to) { return segme
 // How long ago, by the camera's clock, the light left, less the camera's r.
 float segment_delay(SpinRay ray, SpinSegment segment, float s, vec4 y) {
     float climb = spin_slope_at(segment.arc, s).w / segment.h;
-    float travel_time = segment.travel_time + travel_time_jump(ray, segment.keeps, segment.afar, segment.start, vec2(y.w, climb)) + spin_sum_to(segment.travel_times, s);
-    float radius = spin_tortoise(ray, max(y.w, 1.0e-12));
+    float travel_time = segment.travel_time + travel_time_jump(ray, segment.keeps, segment.afar, segment.start, vec3(y.w, climb, spin_fine_at(segment.arc, s, y.w))) + spin_sum_to(segment.travel_times, s);
+    float radius = spin_tortoise(ray, max(y.w, 1.0e-12), spin_fine_at(segment.arc, s, y.w));
     float from_near = travel_time + radius - frame.delay.z;
     float from_afar = travel_time + (segment.keeps && segment.afar == AFAR_INWARD ? -radius : radius) + frame.delay.x;
     return segment.afar == AFAR_NOT ? from_near : from_afar;

@@ -19,26 +19,35 @@
 #define SPIN_GROWTH (0.07 * SPIN_SHARE)
 #endif
 
+#ifdef NEEDS_FINE_ZETA
+// A float sum is rounded, whatever a compiler that takes (a + b) - a for b may think: what the host gives is far below every zeta.
 #ifdef EFFECT_SPIN_RING
+float rounded_sum(float zeta, float more) { return max(zeta + more, frame.ring_peak_3.w); }
+#else
+float rounded_sum(float zeta, float more) { return max(zeta + more, frame.spin_near_2.w); }
+#endif
+
 // What is lost of a sum zeta + more.
 float spin_fine(SpinState from, float more, float to) { return from.fine + (more - (to - from.y.w)); }
 
 // The place after a step or a part of it.
 vec4 spin_moved(SpinState from, vec4 more) {
     vec4 to = from.y + more;
-    to.w = ring_sum(from.y.w, more.w);
+    to.w = rounded_sum(from.y.w, more.w);
     return to;
 }
+#else
+float spin_fine(SpinState from, float more, float to) { return 0.0; }
+vec4 spin_moved(SpinState from, vec4 more) { return from.y + more; }
+#endif
 
+#ifdef EFFECT_SPIN_RING
 // From a state that comes towards the saddle to one that leaves it.
 bool ring_leaves(SpinRay ray, SpinState from, SpinState to) {
     float before = ring_offset(ray.barrier, from.y.w, from.fine) * from.v.w;
     float after = ring_offset(ray.barrier, to.y.w, to.fine) * to.v.w;
     return ray.barrier.beside > 0.0 && before < 0.0 && after >= 0.0;
 }
-#else
-float spin_fine(SpinState from, float more, float to) { return 0.0; }
-vec4 spin_moved(SpinState from, vec4 more) { return from.y + more; }
 #endif
 
 #define FINE_AZIMUTH_FROM 0.45   // of the horizon's 1/r: where a step ends beyond it, its own sum of psi' loses digits
@@ -52,17 +61,21 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
     vec4 f0 = hh * from.f;
     vec4 more = 0.1 * v + f0 * (1.0 / 200.0);
     vec4 y1 = spin_moved(from, more);
-    vec4 f1 = hh * spin_force(ray, y1, spin_fine(from, more.w, y1.w));
+    float fine1 = spin_fine(from, more.w, y1.w);
+    vec4 f1 = hh * spin_force(ray, y1, fine1);
     more = 0.3 * v - f0 * (1.0 / 2200.0) + f1 * (1.0 / 22.0);
     vec4 y2 = spin_moved(from, more);
-    vec4 f2 = hh * spin_force(ray, y2, spin_fine(from, more.w, y2.w));
+    float fine2 = spin_fine(from, more.w, y2.w);
+    vec4 f2 = hh * spin_force(ray, y2, fine2);
     more = 0.7 * v + f0 * (637.0 / 6600.0) - f1 * (7.0 / 110.0) + f2 * (7.0 / 33.0);
     vec4 y3 = spin_moved(from, more);
-    vec4 f3 = hh * spin_force(ray, y3, spin_fine(from, more.w, y3.w));
+    float fine3 = spin_fine(from, more.w, y3.w);
+    vec4 f3 = hh * spin_force(ray, y3, fine3);
     more = 0.68 * v + f0 * (225437.0 / 1968750.0) - f1 * (30073.0 / 281250.0) + f2 * (65569.0 / 281250.0) -
            f3 * (9367.0 / 984375.0);
     vec4 y4 = spin_moved(from, more);
-    vec4 f4 = hh * spin_force(ray, y4, spin_fine(from, more.w, y4.w));
+    float fine4 = spin_fine(from, more.w, y4.w);
+    vec4 f4 = hh * spin_force(ray, y4, fine4);
     SpinState to;
     more = v + f0 * (151.0 / 2142.0) + f1 * (5.0 / 116.0) + f2 * (385.0 / 1368.0) + f3 * (55.0 / 168.0) -
            f4 * (6250.0 / 28101.0);
@@ -71,44 +84,60 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
     to.f = spin_force(ray, to.y, fine);
     to.v = from.v + (f0 * (151.0 / 2142.0) + f1 * (25.0 / 522.0) + f2 * (275.0 / 684.0) + f3 * (275.0 / 252.0) -
                      f4 * (78125.0 / 112404.0) + (hh / 12.0) * to.f) / h;
+#ifdef NEEDS_FINE_ZETA
+    to.fine = fine;
+#endif
 #ifdef EFFECT_SPIN_RING
     vec2 settling = ring_settling(ray.barrier, ring_offset(ray.barrier, to.y.w, fine), to.v.w);
-    to.fine = fine + settling.x;
+    to.fine += settling.x;
     to.v.w += settling.y;
 #endif
 #ifdef EFFECT_SPIN_FALL
     to.ingoing = from.ingoing;
     // Rounding of a large zeta' deep inside is much, relative to what is left of it where rays wind: by the root while that is exact.
-    float x = spin_x(ray, to.y.w);
-    float speed2 = ingoing_speed2(ray, to.y.w, x);
+    float x = spin_x(ray, to.y.w, fine);
+    float speed2 = ingoing_speed2(ray, to.y.w, fine, x);
     to.v.w = from.ingoing && to.v.w < 0.0 && speed2 > INGOING_SLOW * x * x ? -sqrt(speed2) : to.v.w;
 #endif
     to.drag = spin_turning_at(ray, to);
 #ifdef NEEDS_LIGHT_TIMES
-    bool keeps = travel_time_keeps(ray, from, to.y, to.v.w);
+    bool keeps = travel_time_keeps(ray, from, to);
     to.afar = keeps ? from.afar : min(from.afar, AFAR_TURNED);
-    to.travel_time = from.travel_time + travel_time_jump(ray, keeps, from.afar, vec2(from.y.w, from.v.w), vec2(to.y.w, to.v.w)) +
-             h * (travel_time_rate(ray, keeps, from.y) * (151.0 / 2142.0) + travel_time_rate(ray, keeps, y1) * (25.0 / 522.0) + travel_time_rate(ray, keeps, y2) * (275.0 / 684.0) +
-                  travel_time_rate(ray, keeps, y3) * (275.0 / 252.0) - travel_time_rate(ray, keeps, y4) * (78125.0 / 112404.0) + travel_time_rate(ray, keeps, to.y) * (1.0 / 12.0));
+    to.travel_time = from.travel_time + travel_time_jump(ray, keeps, from.afar, vec3(from.y.w, from.v.w, spin_fine_of(from)), vec3(to.y.w, to.v.w, fine)) +
+             h * (travel_time_rate(ray, keeps, from.y, spin_fine_of(from)) * (151.0 / 2142.0) + travel_time_rate(ray, keeps, y1, fine1) * (25.0 / 522.0) + travel_time_rate(ray, keeps, y2, fine2) * (275.0 / 684.0) +
+                  travel_time_rate(ray, keeps, y3, fine3) * (275.0 / 252.0) - travel_time_rate(ray, keeps, y4, fine4) * (78125.0 / 112404.0) + travel_time_rate(ray, keeps, to.y, fine) * (1.0 / 12.0));
 #endif
-    to.psi = from.psi + h * (from.drag * (151.0 / 2142.0) + spin_turning(ray, from, y1.w) * (25.0 / 522.0) +
-                             spin_turning(ray, from, y2.w) * (275.0 / 684.0) + spin_turning(ray, from, y3.w) * (275.0 / 252.0) -
-                             spin_turning(ray, from, y4.w) * (78125.0 / 112404.0) + to.drag * (1.0 / 12.0));
+    to.psi = from.psi + h * (from.drag * (151.0 / 2142.0) + spin_turning(ray, from, y1.w, fine1) * (25.0 / 522.0) +
+                             spin_turning(ray, from, y2.w, fine2) * (275.0 / 684.0) + spin_turning(ray, from, y3.w, fine3) * (275.0 / 252.0) -
+                             spin_turning(ray, from, y4.w, fine4) * (78125.0 / 112404.0) + to.drag * (1.0 / 12.0));
 #ifdef NEEDS_FINE_AZIMUTH
-    // Into the horizon, where phi winds up: what is left of it is regular there. Not of rays that turn, whose neighbours would be summed otherwise.
-    float fine_x = spin_x(ray, to.y.w);
-    bool inward = from.v.w > 0.0 && to.v.w > 0.0 && ray.outer * to.y.w > FINE_AZIMUTH_FROM && to.v.w * to.v.w > FINE_AZIMUTH_FAST * fine_x * fine_x;
-    float wound = from.psi + spin_winding(ray, from.y.w) - spin_winding(ray, to.y.w) +
-                  h * (spin_inward_turning(ray, from.y.w) * (151.0 / 2142.0) + spin_inward_turning(ray, y1.w) * (25.0 / 522.0) +
-                       spin_inward_turning(ray, y2.w) * (275.0 / 684.0) + spin_inward_turning(ray, y3.w) * (275.0 / 252.0) -
-                       spin_inward_turning(ray, y4.w) * (78125.0 / 112404.0) + spin_inward_turning(ray, to.y.w) * (1.0 / 12.0));
-    to.psi = inward ? wound : to.psi;
+    // Along the horizon's light, which phi winds up with: what is left of it is regular there. Not of rays that turn, whose neighbours would be summed otherwise.
+    float fine_x = spin_x(ray, to.y.w, fine);
+    bool regular = from.v.w > 0.0 && to.v.w > 0.0 && ray.outer * to.y.w > FINE_AZIMUTH_FROM && to.v.w * to.v.w > FINE_AZIMUTH_FAST * fine_x * fine_x;
+    float wound = spin_wound(ray, from.y.w, spin_fine_of(from), to.y.w, fine);
+#ifdef EFFECT_SPIN_NEAR
+    float near_x = spin_x(ray, from.y.w, from.fine);
+    bool rises = from.v.w < 0.0 && to.v.w < 0.0 && ray.outer * from.y.w > FINE_AZIMUTH_FROM && from.v.w * from.v.w > FINE_AZIMUTH_FAST * near_x * near_x;
+#ifdef EFFECT_SPIN_FALL
+    rises = rises && !from.ingoing;
+#endif
+    regular = regular || rises;
+    wound = rises ? -wound : wound;
+#endif
+    float turned = from.psi + wound +
+                   h * (spin_level_turning(ray, from.y.w, spin_fine_of(from)) * (151.0 / 2142.0) + spin_level_turning(ray, y1.w, fine1) * (25.0 / 522.0) +
+                        spin_level_turning(ray, y2.w, fine2) * (275.0 / 684.0) + spin_level_turning(ray, y3.w, fine3) * (275.0 / 252.0) -
+                        spin_level_turning(ray, y4.w, fine4) * (78125.0 / 112404.0) + spin_level_turning(ray, to.y.w, fine) * (1.0 / 12.0));
+    to.psi = regular ? turned : to.psi;
+#endif
+#ifdef EFFECT_SPIN_NEAR
+    to.psi = near_turn(to.psi);
 #endif
 #ifdef EFFECT_SPIN_FALL
-    to.ingoing = from.ingoing && ingoing_stays(ray, to.y.w, to.v.w);
+    to.ingoing = from.ingoing && ingoing_stays(ray, to);
     if (from.ingoing && !to.ingoing) {
-        to.psi += spin_winding(ray, to.y.w);
-        to.drag = spin_drag(ray, to.y.w);
+        to.psi += spin_winding(ray, to.y.w, fine);
+        to.drag = spin_drag(ray, to.y.w, fine);
     }
 #endif
     return to;
@@ -121,12 +150,13 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
 float spin_step_length(SpinRay ray, SpinState at, int left) {
     float zeta = at.y.w;
     float slope = at.v.w;
+    float delta = spin_delta(ray, zeta, spin_fine_of(at));
 #ifdef EFFECT_SPIN_FALL
-    float fall = at.ingoing ? 0.0 : slope * (0.5 - ray.a2c * zeta) / spin_delta(ray, zeta);
+    float fall = at.ingoing ? 0.0 : slope * (0.5 - ray.a2c * zeta) / delta;
 #else
-    float fall = slope * (0.5 - ray.a2c * zeta) / spin_delta(ray, zeta);
+    float fall = slope * (0.5 - ray.a2c * zeta) / delta;
 #endif
-    float rate2 = abs(ray.j2) + ray.a2e2 + 0.125 * ray.energy * ray.energy + 1.5 * ray.k * zeta + (slope < 0.0 ? 3.0 : 1.0 + 3.0 * min(2.0 * spin_delta(ray, zeta), 1.0)) * fall * fall;
+    float rate2 = abs(ray.j2) + ray.a2e2 + 0.125 * ray.energy * ray.energy + 1.5 * ray.k * zeta + (slope < 0.0 ? 3.0 : 1.0 + 3.0 * min(2.0 * delta, 1.0)) * fall * fall;
 #ifdef EFFECT_SPIN_FALL
     rate2 += INGOING_DEEP * ray.k * zeta * clamp(ray.outer * zeta - 1.0, 0.0, 1.0);   // inside, where zeta changes by its own size
 #endif
@@ -150,7 +180,7 @@ SpinState spin_to_sky(SpinRay ray, SpinState beyond) {
     at.y += rest * (at.v + 0.5 * rest * at.f);
     at.psi += rest * at.drag;
 #ifdef NEEDS_LIGHT_TIMES
-    at.travel_time += rest * travel_time_rate(ray, true, at.y);
+    at.travel_time += rest * travel_time_rate(ray, true, at.y, spin_fine_of(at));
 #endif
     return at;
 }

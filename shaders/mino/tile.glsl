@@ -17,8 +17,8 @@ bool spin_captured(SpinRay ray, SpinState from) {
     bool captured = from.v.w > 0.0;
     for (int i = 1; i <= CAPTURED_LOOKS; ++i) {
         float zeta = mix(from.y.w, 1.0 / ray.outer, float(i) / float(CAPTURED_LOOKS));
-        float x = spin_x(ray, zeta);
-        captured = captured && spin_delta(ray, zeta) * zeta * zeta * ray.k < (1.0 - CAPTURED_CLEARLY) * x * x;
+        float x = spin_x(ray, zeta, 0.0);
+        captured = captured && spin_delta(ray, zeta, 0.0) * zeta * zeta * ray.k < (1.0 - CAPTURED_CLEARLY) * x * x;
     }
     return captured;
 }

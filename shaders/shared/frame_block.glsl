@@ -113,6 +113,11 @@ struct FrameData {
     vec4 ring_peak_2;  //   + x xy + y y^2 + z x^3 + w x^2 y
     vec4 ring_peak_3;  //   + x x y^2 + y y^3; 1 where that is so, else 0; -1e30
 #endif
+#ifdef BLOCK_SPIN_NEAR
+    vec4 spin_near;    // X_+ of the photon = x + y n_r + z n_phi (mino/near.glsl); 1 - r_-/r_+
+    vec4 spin_near_2;  // 1/r_+ = x + y, x a float; 1 - r_+/r of the camera; -1e30
+    vec4 spin_near_3;  // E, L/sin(theta), d zeta/d tau and X_+ at n_r = -1, n_phi = 0
+#endif
 #ifdef BLOCK_SIDES
     vec4 throat;       // radius of a wormhole's throat, mu of table/throat_orbit.h, 0, 0
 #endif

@@ -48,11 +48,13 @@ std::vector<Variant> variants(const std::string& block) {
         if (plane.name != "flat") plane.defines.emplace_back("EFFECT_LENSING");
         all.push_back(plane);
     }
-    for (const bool ring : {false, true})
+    for (const int next : {0, 1, 2, 3})  // to the ring, to the horizon
         for (const bool falling : {false, true}) {
+            const bool ring = (next & 2) != 0, near = (next & 1) != 0;
             all.push_back({ring ? "rotating_ring" : "rotating", always, "mino"});
             std::vector<std::string>& defines = all.back().defines;
             defines.emplace_back("NEEDS_FINE_AZIMUTH");
+            if (near) all.back().name += "_near", defines.emplace_back("EFFECT_SPIN_NEAR");
             if (ring) defines.insert(defines.end(), {"EFFECT_SPIN_RING", "EFFECT_ZOOM"});  // no zoom: it adds 0
             if (falling) all.back().name += "_falling", defines.emplace_back("EFFECT_SPIN_FALL");
             all.push_back(all.back());

@@ -26,4 +26,20 @@ SpinForms spin_forms(const SpinPlace& p, const SpinFrame& frame) {
     return forms;
 }
 
+// X = E (r^2 + a^2) - a L = Sigma (energy k0 - infall k1) at the camera, less E (r^2 - r_+^2).
+SpinForm horizon_form(const AxialMetric& metric, const SpinPlace& p, const SpinFrame& frame) {
+    const double v = frame.azimuthal_velocity, gamma = 1.0 / std::sqrt((1.0 - v) * (1.0 + v)),
+                 outer = metric.outer_horizon(), rise = (p.r - outer) * (p.r + outer);
+    const double energy = p.sigma * gamma * frame.radial.energy(), infall = p.sigma * frame.radial.infall();
+    const SpinForm tangent = spin_forms(p, frame).energy;
+    const auto over = [&](double x) { return x / (outer * outer); };
+    return {over(energy + rise * tangent.constant), over(infall + rise * tangent.radial),
+            over(rise * tangent.around - energy * v)};
+}
+
+bool is_next_to_horizon(const AxialMetric& metric, double r) {
+    constexpr double kNext = 0.6;
+    return std::fabs(1.0 - metric.outer_horizon() / r) < kNext;
+}
+
 }  // namespace nullscope

@@ -65,6 +65,7 @@ enum class Effect {
     kRefine,
     kZoom,
     kSpinRing,
+    kSpinNear,
     kFisheye,
     kEquirectangular,
     kCylindrical,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "observer/spin_forms.h"
 #include "observer/spin_ring.h"
 #include "plan/feature.h"
 #include "plan/moving.h"
@@ -123,6 +124,16 @@ std::span<const Feature> light_features() {
          nullptr,
          [](Scene& s) { s.spacetime.metric = "kerr"; },
          [](Scene& s) { s.camera.plane_width = 0.01, s.camera.yaw = -0.17; }},
+        {{Effect::kSpinNear, "spin-near", "EFFECT_SPIN_NEAR",
+          "Rays next to the horizon of a rotating hole keep their distance from it to all digits.",
+          "the hole rotates, and 1 - r_+/camera.r is between -0.6 and 0.6", "steps of a tenth more work"},
+         [](const FrameFacts& f) {
+             return reason_if(rotates(f) && is_next_to_horizon(*f.spacetime->axial(), f.scene.camera.r),
+                              fmt::format("camera.r = {:.4g}", f.scene.camera.r));
+         },
+         nullptr,
+         [](Scene& s) { s.spacetime.metric = "kerr"; },
+         [](Scene& s) { s.camera.observer = ObserverKind::kZamo, s.camera.r = 0.8; }},
         {{Effect::kShift, "shift", "EFFECT_SHIFT", "Doppler and gravitational shift change the colour of light.",
           "something emits thermal light, light.shift is not \"off\", nor are both light.doppler and light.gravity",
           "one logarithm a crossing or star"},

@@ -52,8 +52,6 @@ public:
 
     // Errors: a method that cannot trace this frame, with those that can.
     virtual Status check(const Method& method, const FramePlan& plan) const = 0;
-    // What a user is told once of a frame whose rays are less exact than others': empty where there is nothing to tell.
-    virtual std::string_view word(const FramePlan&) const { return {}; }
     double table_ms = 0.0, rows_ms = 0.0;  // time of the last deflection table, and of the last tables for a radius
 };
 

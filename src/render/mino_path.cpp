@@ -13,9 +13,8 @@
 namespace nullscope {
 namespace {
 
+constexpr double kFarBelow = -1e30;           // every zeta
 constexpr double kLeastMinoFrequency = 1e-6;  // as the shaders have it
-// Where single precision no longer holds what README promises: docs/accuracy.md, "Fast cameras next to a rotating horizon".
-constexpr double kNearHorizons = 1.25, kFast = 0.7;  // horizon's radii, c
 
 }  // namespace
 
@@ -53,6 +52,7 @@ void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     frame.spin_turn = {camera.r > outer ? azimuth_ahead(*metric_, camera.r) : 0.0, a / (outer - inner),
                        metric_->charge2(), 0};
     if (plan.effects.contains(Effect::kSpinRing)) write_ring(plan, frame);
+    if (plan.effects.contains(Effect::kSpinNear)) write_near(plan, frame);
     // r_* of the camera, or r where its clock is v - r: what T less r_* of a place is delayed by, and r (late_time()). From afar T is told less
     // 2 r_* of the camera, mino/kerr.glsl.
     constexpr double kAfar = 1e3;
@@ -62,8 +62,19 @@ void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
                    2.0 * camera.r + (falls(camera) ? 0.0 : ahead), 2.0 * (camera.r + ahead)};
 }
 
+void MinoPath::write_near(const FramePlan& plan, FrameData& frame) const {
+    const double r = plan.scene.camera.r, outer = metric_->outer_horizon(), inner = metric_->inner_horizon();
+    const SpinPlace place = spin_place(*metric_, r, plan.scene.camera.theta);
+    const SpinFrame seen{plan.observer.frame, plan.observer.azimuthal_velocity};
+    const SpinForms forms = spin_forms(place, seen);
+    const SpinForm form = horizon_form(*metric_, place, seen);
+    const double horizon = static_cast<float>(1.0 / outer);
+    frame.spin_near = {form.constant, form.radial, form.around, (outer - inner) / outer};
+    frame.spin_near_2 = {horizon, 1.0 / outer - horizon, (r - outer) / r, kFarBelow};
+    frame.spin_near_3 = {forms.energy.of(-1, 0), forms.across.of(-1, 0), forms.climb.of(-1, 0), form.of(-1, 0)};
+}
+
 void MinoPath::write_ring(const FramePlan& plan, FrameData& frame) const {
-    constexpr double kFarBelow = -1e30;  // every zeta
     const auto form = peak_form(*metric_, plan.scene.camera, plan.observer, plan.scene.light);
     std::array<double, 10> c{};
     if (form) c = form->c;
@@ -80,6 +91,7 @@ void MinoPath::give(const FramePlan& plan, CoreInput& input) const {
     input.lensing = false;
     input.spin = true;
     input.spin_ring = plan.effects.contains(Effect::kSpinRing);
+    input.spin_near = plan.effects.contains(Effect::kSpinNear);
     input.spin_fall = falls(plan.scene.camera);
     input.spin_delay = plan.effects.contains(Effect::kLightTimes);
 }
@@ -93,16 +105,6 @@ Status MinoPath::check(const Method& method, const FramePlan& plan) const {
     return bad_input(fmt::format("method {} does not work for this scene with a rotating hole", method_name(method)),
                      "auto, mino[:6[:STEP]], or without [disc], bodies, delays and falling cameras mino:4[:STEP] and "
                      "kerr-schild:STEP");
-}
-
-std::string_view MinoPath::word(const FramePlan& plan) const {
-    const Observer& observer = plan.observer;
-    const bool fast = std::fmax(length(observer.velocity), std::fabs(observer.azimuthal_velocity)) > kFast;
-    const double horizons = plan.scene.camera.r / metric_->outer_horizon();
-    if (!fast || falls(plan.scene.camera) || horizons <= 1.0 || horizons > kNearHorizons) return {};
-    return "the camera is fast and next to a rotating horizon: rays may be off by some pixels of a 4K frame "
-           "(docs/accuracy.md, \"Fast cameras next "
-           "to a rotating horizon\"); --renderer reference is exact";
 }
 
 }  // namespace nullscope

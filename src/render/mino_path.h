@@ -17,10 +17,10 @@ public:
     void give(const FramePlan& plan, CoreInput& input) const override;
     bool finds_star_images() const override { return true; }
     Status check(const Method& method, const FramePlan& plan) const override;
-    std::string_view word(const FramePlan& plan) const override;
 
 private:
     void write_ring(const FramePlan& plan, FrameData& frame) const;
+    void write_near(const FramePlan& plan, FrameData& frame) const;
     std::shared_ptr<const AxialMetric> metric_;
 };
 

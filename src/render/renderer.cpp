@@ -75,10 +75,6 @@ Status Renderer::prepare(const Scene& scene) {
             fmt::format("1x1 to {}x{}", limit, limit));
     if (Status status = tables_.update(scene); !status) return status;
     if (Status able = tables_.path().check(method_, tables_.plan()); !able) return able;
-    if (const std::string_view word = tables_.path().word(tables_.plan()); word != told_) {
-        told_ = word;
-        if (!word.empty()) notes_.emplace_back(word);
-    }
     begin_skies();  // they get ready while the rest is loaded
     const auto disc_file =
         tables_.effects().contains(Effect::kDiscImage) ? disc_image_file(*scene.disc) : std::filesystem::path();

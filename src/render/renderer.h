@@ -168,7 +168,6 @@ private:
     int largest_picture_;
     std::vector<std::string> notes_;
     std::string medium_told_;
-    std::string_view told_;  // LightPath::word() of the frame before
     gl::VertexArray empty_;
     UniformBlocks blocks_;
     std::map<ProgramKey, gl::Program> programs_;

@@ -21,6 +21,7 @@ struct CoreInput {
     TexelView strip, ends, orbit, delay;  // delay: empty where nothing asks for light times
     bool cubic = false;                   // the strip's cubics instead of its lines (method strip:cubic)
     bool lensing = true, aberration = false, zoom = false, spin = false, spin_fall = false, spin_ring = false,
+         spin_near = false,
          spin_delay = false;  // the effects compiled in (a scene without a disc has an empty range of radii)
 };
 

@@ -84,6 +84,7 @@ std::vector<Scene> full_scenes() {
     scenes[8].medium->emission = MediumEmission::kSynchrotron;
     scenes[7].object.mass_suns = scenes[8].object.mass_suns = 4e6;
     scenes[9].spacetime = {"kerr", {{"spin", 0.9}}};
+    scenes[9].camera.r = 1.1;
     scenes[9].medium.emplace().kind = MediumKind::kGrid;
     scenes[9].medium->file = assets_directory() / "medium" / "torus.grid";
     scenes[9].object.mass_suns = 4e6;

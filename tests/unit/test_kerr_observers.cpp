@@ -207,3 +207,30 @@ TEST_CASE("kerr observers: both have the same azimuth of what falls in") {
             CHECK(azimuth_ahead(*kerr(spin), r) ==
                   doctest::Approx(reference::kerr_azimuth_ahead(spin, r)).epsilon(1e-9));
 }
+
+// As a difference it has no digits next to the horizon: compared where it has.
+TEST_CASE("kerr observers: what of the energy does not go round with the horizon") {
+    for (const double spin : {0.1, 0.9, 0.9995})
+        for (const double horizons : {0.8, 1.2, 3.0})
+            for (const ObserverKind kind : kAll) {
+                const auto spacetime = kerr(spin);
+                const double outer = spacetime->outer_horizon(),
+                             girth = outer * outer + spacetime->a() * spacetime->a();
+                const CameraSpec camera = camera_at(horizons * outer, 1.1, kind);
+                const auto observer = observer_of(*spacetime, camera);
+                if (!observer) continue;
+                const SpinPlace place = spin_place(*spacetime, camera.r, camera.theta);
+                const SpinFrame frame{observer->frame, observer->azimuthal_velocity};
+                const SpinForms forms = spin_forms(place, frame);
+                const SpinForm form = horizon_form(*spacetime, place, frame);
+                for (const double n_r : {-0.9, 0.1, 0.7})
+                    for (const double n_phi : {-0.4, 0.3}) {
+                        const double energy = -forms.energy.of(n_r, n_phi),
+                                     momentum = -forms.across.of(n_r, n_phi) * place.sine,
+                                     size =
+                                         (std::fabs(energy) * girth + std::fabs(place.a * momentum)) / (outer * outer);
+                        CHECK(std::fabs(form.of(n_r, n_phi) - (energy * girth - place.a * momentum) / (outer * outer)) <
+                              kPromised * std::max(1.0, size));
+                    }
+            }
+}

@@ -91,6 +91,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kAberration, {"aberrate", "Aberration", "vec4 boost;", "vec4 boost_colour;"}},
     {Effect::kZoom, {"ring_part", "vec4 polar_length;", "vec4 polar_weight;", "vec4 ring;"}},
     {Effect::kSpinRing, {"ring_settling", "RingBarrier", "vec4 ring_peak;"}},
+    {Effect::kSpinNear, {"near_above", "NearHorizon", "vec4 spin_near;"}},
     {Effect::kFisheye, {"fisheye_view"}},
     {Effect::kEquirectangular, {"equirectangular_view"}},
     {Effect::kCylindrical, {"cylindrical_view"}},
@@ -267,7 +268,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 77);
+    CHECK(members.size() == 80);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {
