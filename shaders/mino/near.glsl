@@ -43,9 +43,9 @@ float near_log(NearHorizon near, float above, float to_above) {
     float more = near.gap * (to_above - above) / (above * to_below);   // of the ratio over 1
     float s = more / (2.0 + more);
     float z = s * s;
-    float series = 2.0 * s * (1.0 + z * (1.0 / 3.0 + z * (0.2 + z * (1.0 / 7.0 + z * (1.0 / 9.0 + z * (1.0 / 11.0))))));
+    float by_s = 2.0 * s * (1.0 + z * (1.0 / 3.0 + z * (0.2 + z * (1.0 / 7.0 + z * (1.0 / 9.0 + z * (1.0 / 11.0))))));
     float whole = log(max(below * to_above, 1.0e-12) / max(above * to_below, 1.0e-12));
-    return abs(more) < 0.5 ? series : whole;
+    return abs(more) < 0.5 ? by_s : whole;
 }
 
 // Less whole turns, of which light winds up many: 2 pi in two floats.

@@ -57,6 +57,7 @@ TEST_CASE("kerr near: fast and slow cameras next to the horizon are the referenc
                               {0.9998, 0, 1.3, {0, 0, 0.99}, 0},
                               {0.01, 0, 1.002, {-0.95, 0, 0}},
                               {0.6, 0.79, 1.05, {0, 0, 0.95}, 120},
+                              {0.9, 0, 1.01, {-0.99, 0, 0}},
                               {0.9995, 0, 1.02, {0, 0, 0.99}, 90, 90}};
     on_one_context([&](GpuSession& session) {
         for (const NearView& view : views) {
