@@ -1,4 +1,4 @@
-// The reference as exact trace. Of scenes that it takes: a ray that it refuses is one that meets nothing.
+// The reference as exact trace, without delays, of which no error is formed. Of scenes that it takes: a ray that it refuses is one that meets nothing.
 #pragma once
 #include <array>
 #include <utility>
@@ -11,7 +11,7 @@ namespace nullscope::cli {
 
 inline ExactTrace exact_trace(const Scene& scene) {
     return [scene](const std::vector<std::array<double, 2>>& positions) {
-        auto pixels = reference::trace_pixels(scene, positions);
+        auto pixels = reference::trace_pixels(scene, positions, false);
         return pixels ? std::move(*pixels) : std::vector<RayPixel>(positions.size());
     };
 }

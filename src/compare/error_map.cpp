@@ -9,8 +9,9 @@
 namespace nullscope {
 namespace {
 
-constexpr int kTile = 64;                   // px
-constexpr std::array kCoarse = {16, 8, 4};  // px between the pixels measured first; divide kTile
+constexpr int kTile = 64;                          // px
+constexpr std::array kCoarse = {64, 16, 8, 4};     // px between the pixels measured first; divide kTile
+constexpr int kCoarseCells = 16, kFirstCells = 8;  // in a row of a task; those measured first come to numbers soon
 
 }  // namespace
 
@@ -76,25 +77,19 @@ std::vector<ErrorTask> error_tasks(int width, int height) {
         };
         std::ranges::stable_sort(tasks.begin() + first, tasks.end(), {}, off);
     };
-    for (const int step : kCoarse) add_level(step, std::max(kTile, kTile * step / 4));
+    for (const int step : kCoarse) add_level(step, step * (step == kCoarse.front() ? kFirstCells : kCoarseCells));
     add_level(0, kTile);
     return tasks;
 }
 
-std::vector<TileErrors> measure_task(const RayFrame& tested, const CameraSpec& camera,
-                                     const std::function<RayPixel(double x, double y)>& exact, const ErrorTask& task) {
-    const ExactTrace trace = [&exact](const std::vector<std::array<double, 2>>& positions) {
-        std::vector<RayPixel> rays;
-        rays.reserve(positions.size());
-        for (const auto& [x, y] : positions) rays.push_back(exact(x, y));
-        return rays;
-    };
-    if (task.step == 0) return {measure_tile(tested, camera, trace, task.rect)};
-    std::vector<TileErrors> found;
+std::vector<TileErrors> measure_task(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& exact,
+                                     const ErrorTask& task) {
+    if (task.step == 0) return measure_tiles(tested, camera, exact, {task.rect});
+    std::vector<PixelRect> middles;
     for (int y = task.rect.top + task.step / 2; y < task.rect.bottom; y += task.step)
         for (int x = task.rect.left + task.step / 2; x < task.rect.right; x += task.step)
-            found.push_back(measure_tile(tested, camera, trace, {x, y, x + 1, y + 1}));
-    return found;
+            middles.push_back({x, y, x + 1, y + 1});
+    return measure_tiles(tested, camera, exact, middles);
 }
 
 }  // namespace nullscope

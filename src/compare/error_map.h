@@ -56,10 +56,11 @@ struct ErrorTask {
     PixelRect rect;
     int step;
 };
-// Coarse grids over the whole frame, then every pixel, from the middle outward: there is the hole. A task is some 10 ms of work.
+// Coarse grids over the whole frame, then every pixel, from the middle outward: there is the hole. A task is some 10 ms of work, the first
+// ones less.
 std::vector<ErrorTask> error_tasks(int width, int height);
-// exact: the ray through a column and a row. On the calling thread.
-std::vector<TileErrors> measure_task(const RayFrame& tested, const CameraSpec& camera,
-                                     const std::function<RayPixel(double x, double y)>& exact, const ErrorTask& task);
+// On the calling thread. The rays of a task are asked for at once, displaced ones apart: the reference traces many in less time each.
+std::vector<TileErrors> measure_task(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& exact,
+                                     const ErrorTask& task);
 
 }  // namespace nullscope

@@ -23,21 +23,26 @@ struct Band {
     bool has(int x, int y) const { return x >= rect.left && x < rect.right && y >= rect.top && y < rect.bottom; }
 };
 
-// The exact pixels of a rectangle of the frame and of one pixel around it; the corners, which nothing asks for, are left empty.
-std::vector<RayPixel> exact_around(const ExactTrace& trace, const PixelRect& inner, const PixelRect& outer) {
+// The exact pixels of rectangles of the frame, of one pixel around each; corners, which nothing asks for, are left empty. All are traced
+// together.
+std::vector<std::vector<RayPixel>> exact_around(const ExactTrace& trace, const std::vector<PixelRect>& inner,
+                                                const std::vector<PixelRect>& outer) {
     std::vector<std::array<double, 2>> positions;
-    std::vector<std::size_t> places;
-    std::size_t place = 0;
-    for (int y = outer.top; y < outer.bottom; ++y)
-        for (int x = outer.left; x < outer.right; ++x, ++place) {
-            if ((x < inner.left || x >= inner.right) && (y < inner.top || y >= inner.bottom)) continue;
-            positions.push_back({x + 0.5, y + 0.5});
-            places.push_back(place);
-        }
-    std::vector<RayPixel> traced = trace(positions);
-    if (traced.size() == place) return traced;
-    std::vector<RayPixel> pixels(place);
-    for (std::size_t i = 0; i < traced.size(); ++i) pixels[places[i]] = traced[i];
+    std::vector<RayPixel*> places;
+    std::vector<std::vector<RayPixel>> pixels(inner.size());
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        const PixelRect &in = inner[i], &out = outer[i];
+        pixels[i].resize(static_cast<std::size_t>(out.right - out.left) * (out.bottom - out.top));
+        RayPixel* place = pixels[i].data();
+        for (int y = out.top; y < out.bottom; ++y)
+            for (int x = out.left; x < out.right; ++x, ++place) {
+                if ((x < in.left || x >= in.right) && (y < in.top || y >= in.bottom)) continue;
+                positions.push_back({x + 0.5, y + 0.5});
+                places.push_back(place);
+            }
+    }
+    const std::vector<RayPixel> traced = trace(positions);
+    for (std::size_t i = 0; i < traced.size(); ++i) *places[i] = traced[i];
     return pixels;
 }
 
@@ -127,65 +132,79 @@ public:
     Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, double refine_above_px)
         : tested_(tested), camera_(camera), trace_(trace), refine_above_px_(refine_above_px) {}
 
-    // Compares the pixels of a rectangle; on all cores, or on the calling thread alone.
-    TileErrors tile(const PixelRect& rect, bool parallel) {
-        const auto cells = static_cast<std::size_t>(rect.right - rect.left) * (rect.bottom - rect.top);
-        tile_ = {rect, std::vector<PixelErrors>(cells)};
-        const PixelRect around{std::max(0, rect.left - 1), std::max(0, rect.top - 1),
-                               std::min(tested_.width, rect.right + 1), std::min(tested_.height, rect.bottom + 1)};
-        const std::vector<RayPixel> pixels = exact_around(trace_, rect, around);
-        const Band band{pixels.data(), around};
+    // Compares the pixels of rectangles; on all cores, or on the calling thread alone.
+    std::vector<TileErrors> tiles(const std::vector<PixelRect>& rects, bool parallel) const {
+        std::vector<PixelRect> around;
+        for (const PixelRect& rect : rects)
+            around.push_back({std::max(0, rect.left - 1), std::max(0, rect.top - 1),
+                              std::min(tested_.width, rect.right + 1), std::min(tested_.height, rect.bottom + 1)});
+        const std::vector<std::vector<RayPixel>> pixels = exact_around(trace_, rects, around);
+        std::vector<TileErrors> tiles;
+        tiles.reserve(rects.size());
+        std::vector<Doubt> doubts;
+        for (std::size_t i = 0; i < rects.size(); ++i) {
+            const Band band{pixels[i].data(), around[i]};
+            judge(band, tiles.emplace_back(TileErrors{rects[i], {}}), parallel);
+            for (int y = rects[i].top; y < rects[i].bottom; ++y)
+                for (int x = rects[i].left; x < rects[i].right; ++x)
+                    if (PixelErrors& errors = tiles[i].at(x, y); errors.worst_px() > refine_above_px_)
+                        doubts.push_back({x, y, &band.at(x, y), &errors});
+        }
+        if (!doubts.empty()) refine(doubts, parallel), judge_edges(doubts);
+        return tiles;
+    }
+
+private:
+    struct Doubt {
+        int x, y;
+        const RayPixel* here;
+        PixelErrors* errors;
+    };
+    void judge(const Band& band, TileErrors& tile, bool parallel) const {
+        const PixelRect& rect = tile.rect;
+        tile.pixels.resize(static_cast<std::size_t>(rect.right - rect.left) * (rect.bottom - rect.top));
         const auto judge_row = [&](int y) {
             for (int x = rect.left; x < rect.right; ++x) {
                 ExactPixel exact = with_neighbours(band, x, y);
                 set_camera(exact, camera_, x, y);
-                tile_.at(x, y) = pixel_errors(tested_.at(x, y), exact);
+                tile.at(x, y) = pixel_errors(tested_.at(x, y), exact);
             }
         };
         if (parallel)
             tbb::parallel_for(rect.top, rect.bottom, judge_row);
         else
             for (int y = rect.top; y < rect.bottom; ++y) judge_row(y);
-        std::vector<Doubt> doubts;
-        for (int y = rect.top; y < rect.bottom; ++y)
-            for (int x = rect.left; x < rect.right; ++x)
-                if (tile_.at(x, y).worst_px() > refine_above_px_) doubts.push_back({x, y});
-        if (!doubts.empty()) refine(band, doubts, parallel), judge_edges(band, doubts);
-        return std::move(tile_);
     }
 
-private:
-    struct Doubt {
-        int x, y;
-    };
-    void refine(const Band& band, const std::vector<Doubt>& doubts, bool parallel) {
+    void refine(const std::vector<Doubt>& doubts, bool parallel) const {
         std::vector<std::array<int, 2>> pixels;
         std::vector<RayPixel> heres;
-        for (const Doubt d : doubts) {
-            if (tile_.at(d.x, d.y).end == RayEnd::kDiffers) continue;
+        std::vector<PixelErrors*> errors;
+        for (const Doubt& d : doubts) {
+            if (d.errors->end == RayEnd::kDiffers) continue;
             pixels.push_back({d.x, d.y});
-            heres.push_back(band.at(d.x, d.y));
+            heres.push_back(*d.here);
+            errors.push_back(d.errors);
         }
         const auto moved = trace_displaced(trace_, pixels, heres);
-        const auto judge = [&](std::size_t i) {
+        const auto judge_one = [&](std::size_t i) {
             const auto [x, y] = pixels[i];
-            tile_.at(x, y) = pixel_errors(tested_.at(x, y), with_displaced(camera_, x, y, heres[i], moved[i].data()));
+            *errors[i] = pixel_errors(tested_.at(x, y), with_displaced(camera_, x, y, heres[i], moved[i].data()));
         };
         if (parallel)
-            tbb::parallel_for(std::size_t{0}, pixels.size(), judge);
+            tbb::parallel_for(std::size_t{0}, pixels.size(), judge_one);
         else
-            for (std::size_t i = 0; i < pixels.size(); ++i) judge(i);
+            for (std::size_t i = 0; i < pixels.size(); ++i) judge_one(i);
     }
 
     // Pixels that end elsewhere, or on another image of the disc: does the exact answer become the tested one close by?
-    void judge_edges(const Band& band, const std::vector<Doubt>& doubts) {
+    void judge_edges(const std::vector<Doubt>& doubts) const {
         std::vector<Doubt> edges;
         std::vector<std::array<double, 2>> positions;
-        for (const Doubt d : doubts) {
-            const PixelErrors& errors = tile_.at(d.x, d.y);
-            const bool differs = errors.end == RayEnd::kDiffers;
-            if (!differs && !(errors.place_px > kJump_px)) continue;
-            const bool rim = !differs || tested_.at(d.x, d.y).hit != band.at(d.x, d.y).hit;
+        for (const Doubt& d : doubts) {
+            const bool differs = d.errors->end == RayEnd::kDiffers;
+            if (!differs && !(d.errors->place_px > kJump_px)) continue;
+            const bool rim = !differs || tested_.at(d.x, d.y).hit != d.here->hit;
             const double reach = rim ? kSilhouetteBand_px : kFateBand_px;
             edges.push_back(d);
             for (int k = 0; k < kBearings; ++k) {
@@ -196,9 +215,9 @@ private:
         const std::vector<RayPixel> around = trace_(positions);
         for (std::size_t i = 0; i < edges.size(); ++i)
             for (int k = 0; k < kBearings; ++k)
-                if (explains(around[i * kBearings + static_cast<std::size_t>(k)], band.at(edges[i].x, edges[i].y),
+                if (explains(around[i * kBearings + static_cast<std::size_t>(k)], *edges[i].here,
                              tested_.at(edges[i].x, edges[i].y)))
-                    tile_.at(edges[i].x, edges[i].y).end = RayEnd::kForgiven;
+                    edges[i].errors->end = RayEnd::kForgiven;
     }
 
     bool explains(const RayPixel& beside, const RayPixel& here, const RayPixel& tested) const {
@@ -216,7 +235,6 @@ private:
     const CameraSpec& camera_;
     const ExactTrace& trace_;
     double refine_above_px_;
-    TileErrors tile_;
 };
 
 void summarise(const RayFrame& tested, RayMeasures& m) {
@@ -267,10 +285,10 @@ ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x,
 RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step,
                          double refine_above_px) {
     RayMeasures measures = empty_measures(tested);
-    Judge judge(tested, camera, trace, refine_above_px);
+    const Judge judge(tested, camera, trace, refine_above_px);
     const int step = std::max(row_step, tested.row_step), rows = step == 1 ? kBandRows : 1;
     for (int y = 0; y < tested.height; y += std::max(rows, step)) {
-        const TileErrors band = judge.tile({0, y, tested.width, std::min(y + rows, tested.height)}, true);
+        const TileErrors band = judge.tiles({{0, y, tested.width, std::min(y + rows, tested.height)}}, true).front();
         std::copy(band.pixels.begin(), band.pixels.end(),
                   measures.pixels.begin() + static_cast<std::ptrdiff_t>(tested.index(0, y)));
     }
@@ -278,9 +296,9 @@ RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const
     return measures;
 }
 
-TileErrors measure_tile(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace,
-                        const PixelRect& rect, double refine_above_px) {
-    return Judge(tested, camera, trace, refine_above_px).tile(rect, false);
+std::vector<TileErrors> measure_tiles(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace,
+                                      const std::vector<PixelRect>& rects, double refine_above_px) {
+    return Judge(tested, camera, trace, refine_above_px).tiles(rects, false);
 }
 
 namespace {

@@ -37,8 +37,8 @@ struct RayMeasures {
 RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step = 1,
                          double refine_above_px = kDisplaceAbove_px);
 
-// The same, number by number, of the pixels of one rectangle of the frame, on the calling thread alone. Costs the rays of the
-// rectangle and of one pixel around it, corners apart: five for a single pixel.
+// The same, number by number, of the pixels of rectangles of the frame, on the calling thread alone. Costs the rays of each
+// rectangle and of one pixel around it, corners apart: five for a single pixel. Those of all are asked for at once.
 struct PixelRect {
     int left, top, right, bottom;  // half-open, inside the frame
 };
@@ -49,8 +49,8 @@ struct TileErrors {
         return pixels[static_cast<std::size_t>(y - rect.top) * (rect.right - rect.left) + x - rect.left];
     }
 };
-TileErrors measure_tile(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace,
-                        const PixelRect& rect, double refine_above_px = kDisplaceAbove_px);
+std::vector<TileErrors> measure_tiles(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace,
+                                      const std::vector<PixelRect>& rects, double refine_above_px = kDisplaceAbove_px);
 
 // The exact answer at pixel (x, y) and displaced by 1e-4 px.
 ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x, int y);

@@ -100,15 +100,17 @@ RayPixel FrameTracer::pixel(double x, double y, bool with_delay) const {
     return pixel_of(*bare_rays_->ray(pixel_direction(camera_, x, y)), with_delay);
 }
 
-std::vector<RayPixel> FrameTracer::pixels(const std::vector<std::array<double, 2>>& positions) const {
-    std::vector<std::array<double, 2>> shown;
-    for (const auto& [x, y] : positions)
-        if (shows(camera_, x, y)) shown.push_back({x, y});
-    const std::vector<RayPtr> traced = bare_rays_->rays(directions(shown));
+std::vector<RayPixel> FrameTracer::pixels(const std::vector<std::array<double, 2>>& positions, bool with_delay) const {
     std::vector<RayPixel> pixels(positions.size());
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        if (shows(camera_, positions[i][0], positions[i][1])) pixels[i] = pixel_of(*traced[next++], true);
+    std::vector<std::size_t> places;
+    std::vector<std::array<double, 2>> together;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        if (shows(camera_, positions[i][0], positions[i][1])) places.push_back(i), together.push_back(positions[i]);
+        if (together.size() < kRaysTogether && i + 1 < positions.size()) continue;
+        const std::vector<RayPtr> traced = bare_rays_->rays(directions(together));
+        for (std::size_t k = 0; k < traced.size(); ++k) pixels[places[k]] = pixel_of(*traced[k], with_delay);
+        places.clear(), together.clear();
+    }
     return pixels;
 }
 
@@ -170,7 +172,8 @@ Result<RayFrame> trace_frame(const Scene& scene, const std::function<void(long l
     return frame;
 }
 
-Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector<std::array<double, 2>>& positions) {
+Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector<std::array<double, 2>>& positions,
+                                           bool with_delay) {
     TRY(tracer, FrameTracer::make(scene));
     for (const auto& [x, y] : positions)
         if (!std::isfinite(x) || !std::isfinite(y)) return bad_input("pixel positions must be finite");
@@ -180,7 +183,7 @@ Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector
         const auto from = positions.begin() + static_cast<std::ptrdiff_t>(part * kTogether),
                    to = positions.begin() +
                         static_cast<std::ptrdiff_t>(std::min((part + 1) * kTogether, positions.size()));
-        std::ranges::copy(tracer->pixels({from, to}), pixels.data() + part * kTogether);
+        std::ranges::copy(tracer->pixels({from, to}, with_delay), pixels.data() + part * kTogether);
     });
     return pixels;
 }

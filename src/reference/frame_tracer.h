@@ -40,7 +40,8 @@ public:
     std::vector<DiscHit> disc_hits(const TracedRay& ray, int max_hits) const;
     // The delay may cost several times the rest.
     RayPixel pixel(double x, double y, bool with_delay = true) const;
-    std::vector<RayPixel> pixels(const std::vector<std::array<double, 2>>& positions) const;
+    // Of any number of positions, kRaysTogether at a time.
+    std::vector<RayPixel> pixels(const std::vector<std::array<double, 2>>& positions, bool with_delay = true) const;
     const Medium* medium() const { return medium_.get(); }  // null where there is none
     const Metric& matter() const { return *matter_; }       // of what rays meet: they run straight without lensing
     const PlaneRays* plane_rays() const { return rays_->in_plane(); }  // null where rays stay in no plane

@@ -28,8 +28,9 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
 // done(n): called from any thread after n more pixels. Deterministic. Errors: bad camera, disc or metric.
 Result<RayFrame> trace_frame(const Scene& scene, const std::function<void(long long)>& done = {});
 
-// The same for a list of pixel positions (column, row from the top; centres at +0.5).
-Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector<std::array<double, 2>>& positions);
+// The same for a list of pixel positions (column, row from the top; centres at +0.5). Delays may cost several times the rest.
+Result<std::vector<RayPixel>> trace_pixels(const Scene& scene, const std::vector<std::array<double, 2>>& positions,
+                                           bool with_delay = true);
 
 // Images of the scene's objects; without one an object is white. disc: 3 or 4 channels, alpha not multiplied in.
 struct Pictures {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "viewer/number_words.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
 
@@ -59,13 +60,6 @@ void values(const char* name, const char* help, const std::string& first, const 
     ImGui::PopStyleColor();
 }
 
-std::string thousands(long long number) {
-    std::string text = fmt::format("{}", number);
-    for (std::size_t at = text.size(); at > 3; at -= 3)
-        text.insert(text.begin() + static_cast<std::ptrdiff_t>(at) - 3, ' ');
-    return text;
-}
-
 std::string state_of(const AccuracyFacts& facts) {
     if (!facts.error.empty()) return facts.error;
     if (facts.of_this_frame)
@@ -93,10 +87,10 @@ void measured_rows(const AccuracyFacts& facts, bool disc) {
     values("Fate errors",
            "Pixels whose ray ends elsewhere (sky, hole, disc) than the exact ray, beyond 0.01 px (0.05 px at the "
            "disc's rims) of the edge.",
-           e.measured > 0 ? thousands(e.fate_errors) : "-", "", colour);
+           e.measured > 0 ? count_words(e.fate_errors) : "-", "", colour);
     const std::string share = e.complete() ? "all" : fmt::format("{:.0f} %", std::floor(e.percent()));
-    values("Rays", "Pixels measured so far: every 16th in both directions, then every 8th and 4th, then all.",
-           e.pixels > 0 ? fmt::format("{}, {}", thousands(e.measured), share) : "-", "", colour);
+    values("Rays", "Pixels measured so far: every 64th in both directions, then every 16th, 8th and 4th, then all.",
+           e.pixels > 0 ? fmt::format("{}, {}", count_words(e.measured), share) : "-", "", colour);
 }
 
 }  // namespace

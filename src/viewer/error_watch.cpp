@@ -85,8 +85,8 @@ void ErrorWatch::work(const std::stop_token& stop) {
         if (job == job_) {  // else it was of another frame
             for (const TileErrors& tile : found) map_.take(tile, task.step);
             heat_changed_ = true;
-            const bool all = ++job->done == job->tasks.size();
-            if (all || (!telling_ && told_.seconds() > kNewsEvery)) tell(lock, all);
+            const bool first = ++job->done == 1, all = job->done == job->tasks.size();
+            if (all || (!telling_ && (first || told_.seconds() > kNewsEvery))) tell(lock, all);
         }
         lock.unlock();
         job.reset();  // perhaps the last to hold that frame
@@ -95,8 +95,8 @@ void ErrorWatch::work(const std::stop_token& stop) {
 }
 
 std::vector<TileErrors> ErrorWatch::Job::measure(const ErrorTask& task) const {
-    return measure_task(
-        tested, camera, [this](double x, double y) { return tracer.pixel(x, y); }, task);
+    const ExactTrace exact = [this](const auto& positions) { return tracer.pixels(positions, false); };
+    return measure_task(tested, camera, exact, task);
 }
 
 // Percentiles of a whole frame take some 10 ms: outside of the lock.

@@ -22,7 +22,8 @@ namespace nullscope::viewer {
 
 class ErrorWatch {
 public:
-    // news: called from a worker when there is more to show, some times a second, and once when all is measured.
+    // news: called from a worker when there is more to show: of the first some sixty pixels, then some times a second, and once when all is
+    // measured.
     // threads: half of the processor's where none are given.
     explicit ErrorWatch(std::function<void()> news, std::optional<int> threads = {});
     ~ErrorWatch();  // waits for tiles that are being measured: some ms

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "compare/heat_map.h"
+#include "viewer/number_words.h"
 #include "viewer/texture_id.h"
 #include "viewer/widgets.h"
 
@@ -50,7 +51,8 @@ std::string state_words(const AccuracyFacts& facts) {
     if (!facts.error.empty()) return facts.error;
     if (!facts.of_this_frame) return "measured when the picture is still";
     if (facts.errors.complete()) return "every pixel measured";
-    return fmt::format("measuring: {:.0f} % of the pixels", std::floor(facts.errors.percent()));
+    return fmt::format("measuring: {} of {} pixels", count_words(facts.errors.measured),
+                       count_words(facts.errors.pixels));
 }
 
 }  // namespace

@@ -37,6 +37,13 @@ LengthScale length_scale(const NumberStyle& style) {
     return {1.0, ""};
 }
 
+std::string count_words(long long number) {
+    std::string text = fmt::format("{}", number);
+    for (std::size_t at = text.size(); at > 3; at -= 3)
+        text.insert(text.begin() + static_cast<std::ptrdiff_t>(at) - 3, ' ');
+    return text;
+}
+
 std::string number_words(double value, const NumberStyle& style, int digits) {
     return std::isfinite(value) ? with_decimal_sign(fmt::format("{:.{}g}", value, digits), style) : "none";
 }

@@ -30,6 +30,8 @@ struct LengthScale {
 };
 LengthScale length_scale(const NumberStyle& style);
 
+// 921 600
+std::string count_words(long long number);
 // digits: significant ones. What is not finite is "none".
 std::string number_words(double value, const NumberStyle& style, int digits = 6);
 std::string fixed_words(double value, const NumberStyle& style, int decimals);

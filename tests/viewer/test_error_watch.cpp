@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "compare/heat_map.h"
+#include "reference/frame_tracer.h"
 #include "reference/reference.h"
 #include "viewer/error_watch.h"
 
@@ -132,6 +133,45 @@ TEST_CASE("errors: a frame smaller than the coarse grids is measured as well") {
     REQUIRE(watch.start(scene, frame));
     wait_for_all(watch);
     check_all(watch, scene, frame);
+}
+
+// A task at a time: the reference traces many rays in less time each.
+TEST_CASE("errors: the rays of a task are asked for at once, some 1.5 a pixel of all tasks") {
+    const Scene scene = small_scene(12, 640, 360);
+    const auto tracer = reference::FrameTracer::make(scene);
+    REQUIRE(tracer);
+    const auto frame = reference::trace_frame(scene);
+    REQUIRE(frame);
+    std::size_t calls = 0, rays = 0;
+    const ExactTrace trace = [&](const auto& positions) {
+        ++calls, rays += positions.size();
+        return tracer->pixels(positions, false);
+    };
+    const auto tasks = error_tasks(640, 360);
+    ErrorMap map(640, 360);
+    for (const ErrorTask& task : tasks)
+        for (const TileErrors& tile : measure_task(*frame, scene.camera, trace, task)) map.take(tile, task.step);
+    CHECK(map.counts().measured == 640 * 360);
+    CHECK(map.found().summary().sky_px.max < 1e-5);
+    CHECK(calls == tasks.size());  // nothing is in doubt
+    CHECK(rays < 1.6 * 640 * 360);
+}
+
+TEST_CASE("errors: the first numbers are those of some sixty pixels, wherever the frame is long to measure") {
+    const Scene large = small_scene(12, 1280, 720);
+    std::atomic<long long> first = 0;
+    std::atomic<const ErrorWatch*> watching = nullptr;
+    ErrorWatch watch(
+        [&] {
+            const ErrorWatch* w = watching;
+            if (w != nullptr && first == 0) first = w->summary().measured;
+        },
+        1);
+    watching = &watch;
+    REQUIRE(watch.start(large, RayFrame{1280, 720, std::vector<RayPixel>(1280 * 720)}));
+    const auto end = Clock::now() + kLongest;
+    while (first == 0 && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    CHECK(first == 64);
 }
 
 TEST_CASE("errors: a restart forgets the frame before, a cancel stops it") {

@@ -38,6 +38,14 @@ TEST_CASE("a decimal comma replaces the point everywhere") {
     CHECK(fixed_words(0.5, style, 3) == "0,500");
 }
 
+TEST_CASE("counts stand in groups of three") {
+    CHECK(count_words(0) == "0");
+    CHECK(count_words(999) == "999");
+    CHECK(count_words(1000) == "1 000");
+    CHECK(count_words(921600) == "921 600");
+    CHECK(count_words(1234567) == "1 234 567");
+}
+
 TEST_CASE("a scene's mass comes before the panel's; wormholes have no unit") {
     const auto hole = make_spacetime("schwarzschild", {}), wormhole = make_spacetime("ellis", {});
     REQUIRE(hole);

@@ -55,7 +55,7 @@ NULLSCOPE_EXPORT(judge_next) bool judge_next() {
     Judgement& j = *judgement;
     if (j.next == j.tasks.size()) return false;
     const ErrorTask task = j.tasks[j.next++];
-    const auto exact = [&j](double x, double y) { return j.tracer.pixel(x, y); };
+    const ExactTrace exact = [&j](const auto& positions) { return j.tracer.pixels(positions, false); };
     for (const TileErrors& tile : measure_task(j.tested, j.camera, exact, task)) j.errors.take(tile, task.step);
     return j.next < j.tasks.size();
 }
