@@ -8,44 +8,74 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "expr/formula.h"
 #include "reference/bodies.h"
+#include "reference/kerr_between.h"
 #include "reference/orbit.h"
 
 namespace nullscope::reference {
 namespace {
 
-// A ball in free fall in its plane, forward and back from t = 0: what it went through is kept.
+// A ball in free fall in its plane, forward and back from t = 0: what it went through is kept, as polynomials between its steps.
 class Fall {
 public:
     using State = std::array<double, 3>;  // r, P, phi
     Fall(const OrbitMetric& metric, State start, double momentum)
-        : metric_(metric),
-          horizon_(metric.horizon_radius().value_or(0.0)),
-          momentum_(momentum),
-          ways_{{{start}, {start}}} {}
+        : metric_(metric), horizon_(metric.horizon_radius().value_or(0.0)), momentum_(momentum) {
+        for (auto& way : ways_) way.push_back(Stretch{start, nullptr});
+    }
     State at(double t) {
-        const double sense = t < 0 ? -1 : 1;
+        const double sense = t < 0 ? -1 : 1, stretches = std::fabs(t) / kStretch;
+        const auto whole = static_cast<std::size_t>(stretches);
         const std::lock_guard lock(mutex_);
-        std::vector<State>& way = ways_[t < 0];
-        const auto whole = static_cast<std::size_t>(std::fabs(t) / kStep);
-        while (way.size() <= whole) way.push_back(landed(way.back(), sense * kStep));
-        return landed(way[whole], t - sense * kStep * static_cast<double>(whole));
+        std::vector<Stretch>& way = ways_[t < 0];
+        while (way.size() <= whole) way.push_back(Stretch{stepped(way.back().begin, sense * kStretch), nullptr});
+        Stretch& stretch = way[whole];
+        if (!stretch.between && !stretch.lands) look_between(stretch, sense);
+        if (stretch.between) return (*stretch.between)(stretches - static_cast<double>(whole)).value;
+        return stepped(stretch.begin, t - sense * kStretch * static_cast<double>(whole));
     }
 
 private:
+    using Between = HermiteNinth<3>;
+    struct Stretch {
+        State begin;
+        std::unique_ptr<const Between> between;  // once it is asked for
+        bool lands = false;                      // on a star: no polynomial
+    };
     static constexpr double kStep = 0.02;  // r_s/c: the shortest time in which anything happens outside is some r_s/c
+    static constexpr double kStretch = 0.06;  // its places are at most a step apart
+
+    void look_between(Stretch& stretch, double sense) const {
+        std::array<Between::Known, Between::kPlaces> known;
+        State next = stretch.begin;
+        for (std::size_t i = 0; i < known.size(); ++i) {
+            const double h = i > 0 ? sense * kStretch * (Between::kAt[i] - Between::kAt[i - 1]) : 0;
+            const State before = std::exchange(next, after(next, h));
+            if (!is_above(2 * next[0] - before[0])) stretch.lands = true;
+            known[i].value = next;
+            slope(next, known[i].slope);
+            for (double& s : known[i].slope) s *= sense * kStretch;
+        }
+        if (!stretch.lands) stretch.between = std::make_unique<const Between>(known);
+    }
+    State stepped(State s, double h) const {
+        for (; std::fabs(h) > kStep; h -= std::copysign(kStep, h)) s = landed(s, std::copysign(kStep, h));
+        return landed(s, h);
+    }
+    bool is_above(double r) const {
+        constexpr double kGround = 1e-6;  // of r
+        return std::isfinite(metric_.lapse(r * (1 - kGround))) || metric_.horizon_radius();
+    }
     // A star's ground is where its lapse ends: the last step to it by halves.
     State landed(const State& s, double h) const {
-        constexpr double kGround = 1e-6;  // of r
-        const auto above = [this](double r) {
-            return std::isfinite(metric_.lapse(r * (1 - kGround))) || metric_.horizon_radius();
-        };
-        if (!above(s[0])) return s;
+        constexpr double kShortest = 1e-6;  // r_s/c
+        if (!is_above(s[0])) return s;
         const State next = after(s, h);
-        if (above(2 * next[0] - s[0]) || std::fabs(h) < kGround) return next;
+        if (is_above(2 * next[0] - s[0]) || std::fabs(h) < kShortest) return next;
         return landed(landed(s, h / 2), h / 2);
     }
     State after(State s, double h) const {
@@ -67,7 +97,7 @@ private:
     }
     const OrbitMetric& metric_;
     double horizon_, momentum_;
-    std::array<std::vector<State>, 2> ways_;
+    std::array<std::vector<Stretch>, 2> ways_;
     std::mutex mutex_;
 };
 

@@ -1,4 +1,5 @@
 // Balls in free fall: the host's way against the reference's.
+#include <algorithm>
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -43,6 +44,26 @@ TEST_CASE("ball motion: free fall, past the hole, into it and out of its past, i
         fmt::print("free fall in {}: off by at most {:.1e} r_s, at t = {:.1f}\n", c.metric, worst, when);
         CHECK(worst < kPlace);
     }
+}
+
+// From rest at r0: r = r0 (1 + cos eta)/2 and, with s = sqrt(r0 - 1), t = s (eta + r0 (eta + sin eta)/2) + ln((s + tan(eta/2))/(s - tan(eta/2)))
+// (Misner, Thorne and Wheeler 25.37, 2 M = 1).
+TEST_CASE("ball motion: a fall from rest is the closed form's, in whatever order it is asked") {
+    constexpr double kFallError = 1e-12;  // r_s
+    BallSpec ball;
+    ball.motion = BallMotion::kGeodesic, ball.position = {0, 0, 4}, ball.velocity = {0, 0, 0};
+    const auto metric = std::move(*reference::make_metric({"schwarzschild", {}}));
+    const auto fall = reference::ball_way(*metric, ball), backward = reference::ball_way(*metric, ball);
+    const double r0 = 4, s = std::sqrt(r0 - 1), last = 2 * std::acos(std::sqrt(1.0001 / r0));
+    double worst = 0;
+    for (double eta = last; eta > 0; eta -= 0.0037) {
+        const double r = 0.5 * r0 * (1 + std::cos(eta)), sloping = std::tan(0.5 * eta),
+                     t = s * (eta + 0.5 * r0 * (eta + std::sin(eta))) + std::log((s + sloping) / (s - sloping));
+        for (const double sense : {1.0, -1.0}) worst = std::max(worst, std::abs(length(fall(sense * t)) - r));
+    }
+    fmt::print("a fall from rest: off by {:.1e} r_s at most\n", worst);
+    CHECK(worst < kFallError);
+    for (double t = 0; t < 15; t += 0.0137) CHECK(length(fall(t) - backward(t)) == 0);
 }
 
 }  // namespace
