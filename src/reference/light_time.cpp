@@ -99,7 +99,14 @@ double LightClock::time_of_v(double from, double to) const {
     return sum(from, to, orbit_.zeta_at(from), orbit_.zeta_at(to));
 }
 
+double LightClock::time_of(double angle) const {
+    const auto next = std::upper_bound(pieces_.begin() + 1, pieces_.end(), angle,
+                                       [](double at, const Piece& piece) { return at < piece.from; });
+    return start_ + (next - 1)->at(angle);
+}
+
 double LightClock::delay(double angle) {
+    if (!pieces_.empty() && angle >= 0 && angle <= pieces_.back().to) return time_of(angle);
     const double r = 1 / orbit_.zeta_at(angle);
     if (!std::isfinite(r) || !(metric_.lapse2(r) > 0)) return kNotANumber;
     if (!(q_ < kRadial))
@@ -110,9 +117,7 @@ double LightClock::delay(double angle) {
             to = pieces_.empty() ? -1 : pieces_.back().to;
             go_on();
         }
-        const auto next = std::upper_bound(pieces_.begin() + 1, pieces_.end(), angle,
-                                           [](double at, const Piece& piece) { return at < piece.from; });
-        return start_ + (next - 1)->at(angle);
+        return time_of(angle);
     }
     auto next = known_.upper_bound(angle);
     const auto [from, so_far] = *--next;

@@ -37,8 +37,9 @@ private:
         std::array<double, kTerms + 1> time;
         double at(double angle) const;
     };
-    double rate(double angle) const;  // of t
-    void go_on();                     // by a piece
+    double rate(double angle) const;     // of t
+    void go_on();                        // by a piece
+    double time_of(double angle) const;  // on a piece
     double time_of_v(double from, double to) const;
     const OrbitMetric& metric_;
     const Orbit& orbit_;

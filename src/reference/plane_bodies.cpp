@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "reference/first_change.h"
 #include "reference/plane_ray.h"
@@ -32,22 +33,33 @@ bool can_reach(const Orbit& orbit, double camera_r, double reach) {
     return std::isfinite(orbit.turn()) && orbit.turn() >= 1 / reach;
 }
 
+// Whether two looks, `chord` apart, show that a body whose distance is known is not met between them.
+bool is_clear(const PlaneRay& ray, const BodyPart& part, const Look& a, const Look& b, double r, double chord) {
+    return clear_way(ray, part, a.value + b.value, r) >= chord;
+}
+
+bool dips(const Look& before, const Look& here, const Look& there) {
+    return here.value < before.value && here.value <= there.value;
+}
+
 }  // namespace
 
 // Equal looks along the path, fine where the body can be met; a change of sign is narrowed down by TOMS 748, a dip
-// between three looks by Brent's minimisation.
-std::optional<double> entry(const PlaneRay& ray, const BodyPart& part, const std::function<double(double)>& time_at) {
+// between three looks by Brent's minimisation: both of the orbit itself.
+std::optional<double> entry(const PlaneRay& ray, const BodyPart& part, const std::function<double(double)>& time_at,
+                            OrbitPlaces& places) {
     const Orbit& orbit = ray.orbit();
     if (!can_reach(orbit, ray.photon().r, part.reach * 1.001)) return std::nullopt;
     const auto value = [&](double angle) { return part.value(ray.place_at(angle), time_at(angle)); };
     const double end = std::isfinite(orbit.angle()) ? orbit.angle() : std::numeric_limits<double>::infinity();
     double r = ray.photon().r;
     Look here{0, value(0)}, before = here;
-    bool outward = false;
+    Vec3 place = ray.place_at(0);
+    bool outward = false, clear_before = false;
     for (int i = 0; i < kMostSamples; ++i) {
         // The step in angle for a wanted step in length, by the orbit's own change of radius over a tiny angle.
         const double angle = here.along, probe = std::min(1e-6 * (1 + angle), 0.25 * (end - angle));
-        const double r_probe = 1 / orbit.zeta_at(angle + probe);
+        const double r_probe = 1 / places(angle + probe);
         if (!(probe > 0) || !std::isfinite(r_probe)) return std::nullopt;
         const double speed = std::hypot((r_probe - r) / probe, r);  // length per angle
         outward = r_probe > r;
@@ -58,18 +70,23 @@ std::optional<double> entry(const PlaneRay& ray, const BodyPart& part, const std
         const double turn = std::min({std::min(step, kLongestPart * r) / speed, kLongestTurn, 0.5 * (end - angle)});
         const double next = angle + turn;
         if (!(next > angle) || end - next < 1e-13 * end) return std::nullopt;
-        r = 1 / orbit.zeta_at(next);
+        const double r_here = std::exchange(r, 1 / places(next));
         if (!std::isfinite(r)) return std::nullopt;
-        const Look there{next, value(next)};
-        if (const auto entered = entry_between(value, before, here, there)) return entered;
-        before = here, here = there;
+        const Vec3 place_here = std::exchange(place, ray.plane().direction(next) * r);
+        Look there{next, part.value(place, time_at(next))};
+        const bool clear = is_clear(ray, part, here, there, std::min(r, r_here), length(place - place_here));
+        if (there.value <= 0 || (dips(before, here, there) && !(clear_before && clear))) {
+            there.value = value(next);
+            if (const auto entered = entry_between(value, before, {angle, value(angle)}, there)) return entered;
+        }
+        before = here, here = there, clear_before = clear;
     }
     return std::nullopt;
 }
 
 // Looks at most a step apart in the coordinates of the sides, in which the throat is the origin of both: a turn is
 // halved until it is no longer than that, and the next one starts with its double.
-std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part, double time) {
+std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part, double time, OrbitPlaces& places) {
     const Orbit& orbit = ray.orbit();
     const RayPlane& plane = ray.plane();
     const double camera_l = ray.photon().r;
@@ -88,16 +105,19 @@ std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part,
                      from_body = l * own > 0 ? std::max(std::abs(l) - part.reach, 0.0) : std::abs(l),
                      step = std::max(fine, kPartOfDistance * from_body);
         turn = std::min({2 * turn, kThroatTurn, 0.5 * (end - angle)});
-        double next = angle + turn, there_l = orbit.zeta_at(next);
+        double next = angle + turn, there_l = places(next);
+        const Vec3 place = plane.direction(angle) * l;
         const auto way = [&] {
-            const Vec3 moved = plane.direction(next) * there_l -
-                               plane.direction(angle) * l;  // through the origin where l changes sign
+            const Vec3 moved = plane.direction(next) * there_l - place;  // through the origin where l changes sign
             return std::hypot(length(moved), there_l * l < 0 ? std::abs(there_l) + std::abs(l) : 0.0);
         };
-        while (std::isfinite(there_l) && way() > step) turn *= 0.5, next = angle + turn, there_l = orbit.zeta_at(next);
+        while (std::isfinite(there_l) && way() > step) turn *= 0.5, next = angle + turn, there_l = places(next);
         if (!std::isfinite(there_l) || !(next > angle)) return std::nullopt;
-        const Look there{next, value_at(next, there_l)};
-        if (const auto entered = entry_between(value, before, here, there)) return entered;
+        Look there{next, value_at(next, there_l)};
+        if (there.value <= 0 || dips(before, here, there)) {
+            there.value = value(next);
+            if (const auto entered = entry_between(value, before, {angle, value(angle)}, there)) return entered;
+        }
         // Outward on the side where the ray ends it does not come back.
         const bool leaves = there_l * ends > 0 && std::abs(there_l) > std::abs(l) && l * ends > 0;
         if (leaves && (own != ends || std::abs(l) > rim)) return std::nullopt;

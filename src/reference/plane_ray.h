@@ -8,6 +8,7 @@
 #include "reference/bodies.h"
 #include "reference/light_time.h"
 #include "reference/orbit.h"
+#include "reference/orbit_places.h"
 #include "reference/ray_plane.h"
 #include "reference/traced_ray.h"
 
@@ -68,10 +69,11 @@ private:
 };
 
 // The swept angle at which the ray enters a body. time_at: the body's time for what is seen after a swept angle; asked
-// in nearly growing order. A few hundred positions along the orbit, some 50 microseconds.
-std::optional<double> entry(const PlaneRay& ray, const BodyPart& part, const std::function<double(double)>& time_at);
+// in nearly growing order. places: of its orbit. A few hundred positions along it, some 10 microseconds.
+std::optional<double> entry(const PlaneRay& ray, const BodyPart& part, const std::function<double(double)>& time_at,
+                            OrbitPlaces& places);
 // In a wormhole, where orbits give l, of either sign, and a body stands on one side.
-std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part, double time);
+std::optional<double> entry_by_length(const PlaneRay& ray, const BodyPart& part, double time, OrbitPlaces& places);
 
 class PlaneRays final : public RayFamily {
 public:

@@ -91,13 +91,15 @@ std::optional<BodyHit> PlaneRay::first_hit() const {
     std::optional<BodyHit> first;
     if (!task_.bodies || task_.bodies->empty()) return first;
     const bool by_length = metric_.by_proper_length();
+    OrbitPlaces places(*orbit_, by_length);
     std::optional<LightClock> clock;
     if (task_.delays_bodies && task_.bodies->move() && !by_length) clock.emplace(this->clock());
     for (const BodyPart& part : task_.bodies->parts()) {
         const auto time_at = [&](double angle) {
             return part.moves && clock ? task_.bodies->time() - clock->delay(angle) : task_.bodies->time();
         };
-        const auto angle = by_length ? entry_by_length(*this, part, task_.bodies->time()) : entry(*this, part, time_at);
+        const auto angle = by_length ? entry_by_length(*this, part, task_.bodies->time(), places)
+                                     : entry(*this, part, time_at, places);
         if (!angle || (first && first->along <= *angle)) continue;
         const Vec3 place = place_at(*angle);
         const double turn = 1e-6, t = time_at(*angle);
