@@ -67,14 +67,23 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     TRY(rays, tracer.matter_->rays(scene, **spacetime, task));
     tracer.bare_rays_ = std::move(*rays);
     tracer.rays_ = tracer.bare_rays_;
-    if (!scene.medium) return tracer;
-    task.medium = tracer.medium_.get();
-    TRY(through_matter, tracer.matter_->rays(scene, **spacetime, task));
-    tracer.rays_ = std::move(*through_matter);
+    if (scene.medium) {
+        task.medium = tracer.medium_.get();
+        TRY(through_matter, tracer.matter_->rays(scene, **spacetime, task));
+        tracer.rays_ = std::move(*through_matter);
+    }
+    tracer.many_rays_ = tracer.rays_;
+    if (scene.sky.kind == SkyKind::kPoints && task.delays_disc) {
+        task.many = true;
+        TRY(many, tracer.matter_->rays(scene, **spacetime, task));
+        tracer.many_rays_ = std::move(*many);
+    }
     return tracer;
 }
 
 RayPtr FrameTracer::ray(double x, double y) const { return rays_->ray(pixel_direction(camera_, x, y)); }
+
+RayPtr FrameTracer::ray_of_many(double x, double y) const { return many_rays_->ray(pixel_direction(camera_, x, y)); }
 
 std::vector<Vec3> FrameTracer::directions(const std::vector<std::array<double, 2>>& positions) const {
     std::vector<Vec3> found;

@@ -36,6 +36,8 @@ public:
     RayPtr ray(double x, double y) const;
     // The same of many positions, in their order: those that are integrated several at a time.
     std::vector<RayPtr> rays(const std::vector<std::array<double, 2>>& positions) const;
+    // The same for as many of the camera's rays as there are stars.
+    RayPtr ray_of_many(double x, double y) const;
     // Where the ray meets the disc, in its order; empty if the scene has none. At most max_hits.
     std::vector<DiscHit> disc_hits(const TracedRay& ray, int max_hits) const;
     // The delay may cost several times the rest.
@@ -55,7 +57,7 @@ private:
     std::shared_ptr<const Metric> matter_;
     std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const Medium> medium_;
-    std::shared_ptr<const RayFamily> rays_,
+    std::shared_ptr<const RayFamily> many_rays_, rays_,
         bare_rays_;  // the latter ask nothing of matter along them, of which ray data has nothing
 };
 

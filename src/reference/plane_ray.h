@@ -7,6 +7,7 @@
 
 #include "reference/bodies.h"
 #include "reference/light_time.h"
+#include "reference/light_times.h"
 #include "reference/orbit.h"
 #include "reference/orbit_places.h"
 #include "reference/ray_plane.h"
@@ -23,19 +24,21 @@ struct PlanePhoton {
     Shift shift;
     double g;
     bool clock_falls;  // the camera's clock is v - r: light_time.h
+    double alpha = 0;  // of the view direction, from outward
 };
 
 class PlaneRay final : public TracedRay {
 public:
-    // metric, task.bodies: outlive this.
+    // metric, task.bodies, times: outlive this. times: of such rays; or null.
     PlaneRay(const OrbitMetric& metric, std::unique_ptr<Orbit> orbit, const RayPlane& plane, const PlanePhoton& photon,
-             const RayTask& task)
+             const RayTask& task, const LightTimes* times = nullptr)
         : TracedRay(photon.shift, photon.g, photon.l_z),
           metric_(metric),
           orbit_(std::move(orbit)),
           plane_(plane),
           photon_(photon),
-          task_(task) {}
+          task_(task),
+          times_(times) {}
     const OrbitMetric& metric() const { return metric_; }
     const Orbit& orbit() const { return *orbit_; }
     const RayPlane& plane() const { return plane_; }
@@ -60,12 +63,14 @@ public:
     const PlaneRay* in_plane() const override { return this; }
 
 private:
+    double crossing_delay(double angle, std::optional<LightClock>& clock) const;  // clock: made when it is needed
     LightClock clock() const { return {metric_, *orbit_, photon_.q, photon_.r, photon_.clock_falls}; }
     const OrbitMetric& metric_;
     std::unique_ptr<Orbit> orbit_;
     RayPlane plane_;
     PlanePhoton photon_;
     RayTask task_;
+    const LightTimes* times_;
 };
 
 // The swept angle at which the ray enters a body. time_at: the body's time for what is seen after a swept angle; asked
@@ -90,15 +95,17 @@ public:
 
 private:
     RayPtr trace(const Photon& p) const override;
+    RainOrbit start_of(const LocalRay& local) const;
 
     std::shared_ptr<const OrbitMetric> flat_;  // without lensing
     const OrbitMetric& metric_;                // of the rays
     CameraSpec camera_;
     LightSpec light_;
     RayTask task_;
-    double lapse_;     // of a camera at rest in this place
-    bool from_rain_;   // the local frame is the rain frame
-    Photon velocity_;  // the camera's e_0, moving: tetrad() is at rest without aberration
+    double lapse_;                             // of a camera at rest in this place
+    bool from_rain_;                           // the local frame is the rain frame
+    Photon velocity_;                          // the camera's e_0, moving: tetrad() is at rest without aberration
+    std::unique_ptr<const LightTimes> times_;  // where they pay
 };
 
 }  // namespace nullscope::reference

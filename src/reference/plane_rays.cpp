@@ -72,7 +72,6 @@ double OrbitMetric::lapse2_slope(double r) const {
 std::vector<PlaneCrossing> PlaneRay::crossings(int most, double inner, double outer) const {
     std::vector<PlaneCrossing> list;
     std::optional<LightClock> clock;
-    if (task_.delays_disc) clock.emplace(this->clock());
     for (int k = 1; static_cast<int>(list.size()) < most; ++k) {
         const double angle = plane_.crossing(k);
         if (!(angle < end())) break;
@@ -82,9 +81,17 @@ std::vector<PlaneCrossing> PlaneRay::crossings(int most, double inner, double ou
         const bool outward = 1 / r > orbit_->zeta_at(angle * (1 - 1e-6));
         const double cosine2 = 1 - metric_.lapse2(r) * (photon_.l * photon_.l) / (r * r);
         list.push_back({angle, r, plane_.azimuth(angle), std::sqrt(std::max(cosine2, 0.0)) * (outward ? 1 : -1),
-                        clock ? clock->delay(angle) : 0.0});
+                        crossing_delay(angle, clock)});
     }
     return list;
+}
+
+double PlaneRay::crossing_delay(double angle, std::optional<LightClock>& clock) const {
+    if (!task_.delays_disc) return 0;
+    if (times_ != nullptr)
+        if (const auto known = (*times_)(photon_.alpha, angle)) return *known;
+    if (!clock) clock.emplace(this->clock());
+    return clock->delay(angle);
 }
 
 std::optional<BodyHit> PlaneRay::first_hit() const {
@@ -222,6 +229,20 @@ PlaneRays::PlaneRays(const OrbitMetric& metric, const Scene& scene, const Spacet
       from_rain_(in_rain_frame(spacetime, scene.camera)),
       velocity_(moving.front()) {
     if (flat_) camera_.r = spacetime.areal_radius(camera_.r);
+    if (!task.many || !task.delays_disc || metric_.by_proper_length() ||
+        !(camera_.r > metric_.horizon_radius().value_or(0.0)))
+        return;
+    const auto ray_at = [this](double alpha) {
+        const LocalRay local{camera_.r, std::cos(alpha), std::sin(alpha)};
+        RainOrbit start = start_of(local);
+        return LightTimes::Ray{std::move(start.orbit), 1 / (camera_.r * start.g * local.n_t)};
+    };
+    times_ = std::make_unique<LightTimes>(metric_, ray_at, camera_.r, falls(camera_));
+}
+
+RainOrbit PlaneRays::start_of(const LocalRay& local) const {
+    return from_rain_ ? metric_.from_rain(local)
+                      : RainOrbit{metric_.from_static(local), 1 / (light_.lensing ? lapse_ : 1)};
 }
 
 RayPtr PlaneRays::trace(const Photon& p) const {
@@ -230,8 +251,7 @@ RayPtr PlaneRays::trace(const Photon& p) const {
                       frequency = std::sqrt(p[1] * p[1] + across * across);
     const LocalRay local{camera_.r, static_cast<double>(-p[1] / frequency), static_cast<double>(across / frequency)};
     const Vec3 direction{local.n_r, static_cast<double>(-p[2] / frequency), static_cast<double>(-p[3] / frequency)};
-    RainOrbit start = from_rain_ ? metric_.from_rain(local)
-                                 : RainOrbit{metric_.from_static(local), 1 / (light_.lensing ? lapse_ : 1)};
+    RainOrbit start = start_of(local);
     // The photon moves along p: L_phi = r p^phi in the local tetrad, L_z = L_phi sin(theta), over E = frequency/start.g.
     const double scale = camera_.r * start.g / static_cast<double>(frequency);
     // The camera's frequency over the local frame's is 1/frequency; without aberration that of its true motion.
@@ -245,8 +265,8 @@ RayPtr PlaneRays::trace(const Photon& p) const {
     const double l_phi = scale * static_cast<double>(p[3]), l = scale * static_cast<double>(across);
     return std::make_unique<PlaneRay>(metric_, std::move(start.orbit), RayPlane(camera_.theta, camera_.phi, direction),
                                       PlanePhoton{camera_.r, 1 / std::abs(l), l, l_phi * std::sin(camera_.theta), shift,
-                                                  shift.seen(light_), falls(camera_)},
-                                      task_);
+                                                  shift.seen(light_), falls(camera_), std::atan2(local.n_t, local.n_r)},
+                                      task_, times_.get());
 }
 
 std::unique_ptr<Orbit> PlaneRays::orbit_of(Vec3 view) const {

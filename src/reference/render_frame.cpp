@@ -215,7 +215,7 @@ std::vector<Vec3> colours(const Looks& looks, const std::vector<std::array<doubl
 
 // What of a point behind shines through.
 double transmission(const Looks& looks, double x, double y) {
-    const RayPtr ray = looks.tracer.ray(x, y);
+    const RayPtr ray = looks.tracer.ray_of_many(x, y);
     if (ray->first_hit()) return 0;
     Vec3 light;
     double through = 1;

@@ -56,7 +56,8 @@ std::vector<StarImage> StarImages::of(Vec3 direction, double margin_px) const {
         if (!(wanted < samples_.back().swept)) break;
         const auto next = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, wanted,
                                            [](double w, const Sample& s) { return w < s.swept; });
-        const double alpha = root_of([&](double a) { return swept(a) - wanted; }, (next - 1)->alpha, next->alpha, 50),
+        const double alpha = root_of([&](double a) { return swept(a) - wanted; }, (next - 1)->alpha, next->alpha,
+                                     (next - 1)->swept - wanted, next->swept - wanted, 50),
                      side = (odd ? -1 : 1) * std::sin(alpha) / std::max(across, 1e-300);
         const auto position = tracer_.plane_rays()->position({std::cos(alpha), side * local.y, side * local.z});
         if (!position) continue;

@@ -63,6 +63,7 @@ struct RayTask {
     bool delays_disc = false;        // crossings have their `delay`
     int crossings = 0;               // of the plane, most of one ray
     const Medium* medium = nullptr;  // that lights and dims rays; outlives them
+    bool many = false;               // there are so many rays that a grid of them pays (light_times.h)
 };
 
 class TracedRay {
