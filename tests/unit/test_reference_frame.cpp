@@ -1,7 +1,9 @@
 // The reference's frames: finite everywhere, boosted cameras, disc hits, compositing.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -259,6 +261,25 @@ TEST_CASE("reference: frames refuse what cannot be") {
     CHECK(refused(scene));
     CHECK(!reference::render_frame(small_scene(), plain_sky({0, 0, 0}), nullptr, 0));
     CHECK(!reference::trace_pixels(small_scene(), {{kNotANumber, 1}}));
+}
+
+TEST_CASE("rays that are asked for no delay are the same but for it") {
+    const Scene scene = small_scene();
+    const std::vector<std::array<double, 2>> positions{{0.5, 0.5}, {3.25, 2.5}, {-9, 0}};
+    const auto all = reference::trace_pixels(scene, positions), bare = reference::trace_pixels(scene, positions, false);
+    REQUIRE(all);
+    REQUIRE(bare);
+    REQUIRE(bare->size() == positions.size());
+    CHECK((*all)[0].delay != 0);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const RayPixel &a = (*all)[i], &b = (*bare)[i];
+        CHECK(b.delay == 0);
+        CHECK(a.fate == b.fate);
+        CHECK(a.hit == b.hit);
+        CHECK(length(a.sky - b.sky) == 0);
+        CHECK(a.angle == b.angle);
+        CHECK(a.g == b.g);
+    }
 }
 
 }  // namespace
