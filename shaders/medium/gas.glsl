@@ -18,7 +18,10 @@
 #define SOFT_STEP 0.5      // scale heights, across the plane
 #define SOFT_FLATTEST 0.5  // rays that go across the plane less than this have no longer steps
 #define SOFT_THIN 0.7      // by how much steps are longer for each scale height more
-#define SOFT_DEEPEST 0.7   // optical depth of a step
+#define SOFT_DEEPEST 0.4   // optical depth of a step
+#define SOFT_AHEAD 1.5     // steps: how far on denser gas is near
+#define SOFT_ACROSS 0.2    // of ln(rho), a step: temperature falls
+#define SOFT_RIM 0.2       // of a rim, across it
 
 // Omega of circular orbits at 1/zeta, as object/disc_orbit.glsl.
 float gas_rate(float zeta) {
@@ -78,6 +81,31 @@ float gas_clumps(float x, float y, float turns, float wide, float up, float age)
     return density;
 }
 
+float gas_rim(float inside) {
+    float rim = clamp(inside * frame.medium_gas_heat.z, 0.0, 1.0);
+    return rim * rim * (3.0 - 2.0 * rim);
+}
+
+// How long the next step may be. inside: of the rims, in ln(rho); y: scale heights; dense: optical depth for each r_s in the plane, inside.
+float gas_step(MediumPlace place, float rho, float inside, float y, float dense) {
+    vec3 way = place.way * inversesqrt(max(dot(place.way, place.way), 1.0e-20));
+    float scale = max(rho, frame.medium_gas.x);
+    float height = frame.medium_gas.z * scale;
+    float thin = 1.0 + SOFT_THIN * clamp(abs(y) - 1.0, 0.0, SOFT_HIGHEST - 1.0);
+    float step = SOFT_STEP * thin * height / max(abs(way.z), SOFT_FLATTEST);
+    float out_way = (place.at.x * way.x + place.at.y * way.y) / (rho * scale);   // of ln(rho)
+    float width = 1.0 / frame.medium_gas_heat.z;
+    float across = min(SOFT_RIM * width + max(inside - width, 0.0), SOFT_ACROSS);
+    step = min(step, across / max(abs(out_way), 1.0e-6));
+    step = min(step, SOFT_DEEPEST / max(dense * gas_rim(inside) * exp(-0.5 * y * y), 1.0e-6));
+    // The densest gas that is near on the way.
+    float on = SOFT_AHEAD * step;
+    float ahead = y + on * (way.z / height - y * out_way);
+    float nearest = ahead * y > 0.0 ? min(abs(ahead), abs(y)) : 0.0;
+    float most = SOFT_DEEPEST / max(dense * gas_rim(inside + on * abs(out_way)), 1.0e-6);
+    return min(step, sqrt(step * most) * exp(0.25 * min(nearest * nearest, 40.0)));
+}
+
 MediumLight medium_light(MediumPlace place) {
     float rho = max(place.r * sqrt(max(1.0 - place.cosine * place.cosine, 0.0)), 1.0e-6);
     float inner = frame.medium_gas.x;
@@ -85,7 +113,7 @@ MediumLight medium_light(MediumPlace place) {
     float height = frame.medium_gas.z * rho;
     float y = place.r * place.cosine / height;
     float x = log(rho);
-    float rim = clamp(min(x - log(inner), log(outer) - x) * frame.medium_gas_heat.z, 0.0, 1.0);
+    float inside = min(x - log(inner), log(outer) - x);
     float age = frame.medium_gas_noise.z;
 #ifdef NEEDS_PLACE_LATE
     age -= place.delay;
@@ -97,16 +125,13 @@ MediumLight medium_light(MediumPlace place) {
     float up_way = abs(place.way.z / height - y * out_way);
     float wide = (place.pixel / rho + abs(out_way)) / SOFT_RING + abs(round_way) * SOFT_CELLS_A_RADIAN;
     float clumps = gas_clumps(x, y, azimuth * 0.15915494309189533577, wide, up_way, age);
-    float density = abs(y) < SOFT_HIGHEST ? rim * rim * (3.0 - 2.0 * rim) * exp(-0.5 * y * y) * clumps : 0.0;
+    float density = abs(y) < SOFT_HIGHEST ? gas_rim(inside) * exp(-0.5 * y * y) * clumps : 0.0;
     float g = medium_g_at_rate(place, gas_rate(1.0 / rho));
     float heat = frame.medium_gas_heat.x - 0.75 * log2(max(rho, inner) / inner);
     MediumLight light;
     light.absorption = density * frame.medium_gas.w / (rho * g);
     light.emission = light.absorption * frame.medium_colour.rgb * seen_black_body(heat, g, frame.medium_gas_heat.y);
-    float steep = abs(place.way.z) * inversesqrt(max(dot(place.way, place.way), 1.0e-20));
-    float thin = 1.0 + SOFT_THIN * clamp(abs(y) - 1.0, 0.0, SOFT_HIGHEST - 1.0);
-    light.step = min(SOFT_STEP * thin * frame.medium_gas.z * max(rho, inner) / max(steep, SOFT_FLATTEST),
-                     SOFT_DEEPEST / max(light.absorption * g, 1.0e-6));
+    light.step = gas_step(place, rho, inside, y, clumps * frame.medium_gas.w / rho);
     return light;
 }
 

@@ -5,6 +5,7 @@
 
 #define MEDIUM_MOST_SPANS 1024
 #define MEDIUM_SAMPLES 4      // of a span
+#define MEDIUM_SHORTEST 0.015625   // of a span, a sample whose length follows the matter
 #define MEDIUM_LEAST 1.0e-4   // what of the light behind comes through where nothing more is looked for
 #define MEDIUM_LONGEST 0.5    // of a ray's step, or rad
 #define MEDIUM_FARTHEST 0.99  // of r, in one jump
@@ -82,17 +83,30 @@ float medium_jump(float free, float before, float length, float r) {
     return min(max(free, min(0.9 * free / max(closer, 0.5), 0.15 * r)), MEDIUM_FARTHEST * r);
 }
 
+// How much of a span the next sample is, where `left` of it is left. Gas has samples as long as it allows where they begin, in whole numbers:
+// the last one is no shorter than most.
+float medium_share(float wanted, float left) {
+#ifdef EFFECT_MEDIUM_GAS
+    return left / max(floor(left / max(wanted, MEDIUM_SHORTEST) + 0.5), 1.0);
+#else
+    return 1.0 / float(MEDIUM_SAMPLES);
+#endif
+}
+
 // empty: nothing is there.
 MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
     vec3 c1 = span.from_slope;
     vec3 d = span.to - span.from;
     vec3 c2 = 3.0 * d - 2.0 * c1 - span.to_slope;
     vec3 c3 = c1 + span.to_slope - 2.0 * d;
-    int i = empty ? MEDIUM_SAMPLES - 1 : 0;
+    float first = empty ? 1.0 - MEDIUM_SHORTEST : 0.0;
     vec3 begin = span.from;
     do {
-        float s = (float(i) + 0.5) * (1.0 / float(MEDIUM_SAMPLES));
-        float last = (float(i) + 1.0) * (1.0 / float(MEDIUM_SAMPLES));
+        float wanted = max(sum.step, frame.medium_bound.y);
+        vec3 speed = c1 + first * (2.0 * c2 + 3.0 * first * c3);
+        float share = medium_share(wanted * inversesqrt(max(dot(speed, speed), 1.0e-20)), 1.0 - first);
+        float s = first + 0.5 * share;
+        float last = first + share;
         vec3 end = span.from + last * (c1 + last * (c2 + last * c3));
         MediumPlace at;
         at.at = span.from + s * (c1 + s * (c2 + s * c3));
@@ -112,8 +126,9 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
 #endif
         float az = frame.medium_hole.x * at.cosine;
         float sigma = span.by_length ? 1.0 : at.r * at.r + az * az;
-        float way = sigma * span.way * (1.0 / float(MEDIUM_SAMPLES));
+        float way = sigma * span.way * share;
         begin = end;
+        first = last;
         MediumLight found = medium_light(at);
         bool there = !empty && at.r > frame.medium_hole.w && at.r < frame.medium_bound.x;
         float along = 0.0;
@@ -122,7 +137,9 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
 #endif
         sum = medium_add(sum, found, there ? way : 0.0, along);
         sum.step = there ? found.step * frame.medium_bound.z * (2.0 - sum.through) : sum.step;
-        i += 1;
-    } while (i < MEDIUM_SAMPLES);
+#ifdef EFFECT_MEDIUM_GAS
+        first = sum.through > MEDIUM_LEAST ? first : 1.0;
+#endif
+    } while (first < 1.0 - 0.5 * MEDIUM_SHORTEST);
     return sum;
 }

@@ -135,6 +135,9 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
             RayPlace place = medium_place(walk.ray, walk.segment, walk.part);
             do {
                 bool empty = false;
+#ifdef EFFECT_MEDIUM_GAS
+                bool comes = false;
+#endif
                 float before = 1.0e6;
                 float length = 1.0e6;   // from there
                 do {   // to where there may be matter
@@ -145,11 +148,17 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
                     // On its way out beyond the outermost matter nothing more follows.
                     bool over = place.r > frame.medium_bound.x && dot(place.velocity, place.outward) > 0.0;
                     empty = over || free > walk.sum.step;   // a span is longer
+#ifdef EFFECT_MEDIUM_GAS
+                    comes = comes || empty;
+#endif
                     jump = empty ? jump : 0.0;
                     walk.part = !over && jump < last - walk.part ? walk.part + jump : last;
                     place = medium_place(walk.ray, walk.segment, walk.part);
                     walk.spans -= 1;
                 } while (empty && walk.part < last && walk.spans > 0);
+#ifdef EFFECT_MEDIUM_GAS
+                walk.sum.step = comes ? frame.medium_bound.y : walk.sum.step;   // from outside of it
+#endif
                 length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
                 float more = min(min(place_part(place, length), MEDIUM_LONGEST), last - walk.part);
                 RayPlace next = medium_place(walk.ray, walk.segment, walk.part + more);

@@ -38,6 +38,9 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
     RayPlace place = medium_at(trace, walk.tangent, walk.along);
     do {
         bool empty = false;
+#ifdef EFFECT_MEDIUM_GAS
+        bool comes = false;
+#endif
         float before = 1.0e6;
         float length = 1.0e6;   // from there
         do {   // to where there may be matter
@@ -48,11 +51,17 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
             // Within the innermost matter and on the way out beyond the outermost there is nothing more.
             bool over = place.r_along < 0.0 ? place.r < frame.medium_hole.w : place.r > frame.medium_bound.x;
             empty = over || free > walk.sum.step;   // a span is longer
+#ifdef EFFECT_MEDIUM_GAS
+            comes = comes || empty;
+#endif
             jump = empty ? jump : 0.0;
             walk.along = over || jump >= last - walk.along ? last : walk.along + jump;
             place = medium_at(trace, walk.tangent, walk.along);
             walk.spans -= 1;
         } while (empty && walk.along < last && walk.spans > 0);
+#ifdef EFFECT_MEDIUM_GAS
+        walk.sum.step = comes ? frame.medium_bound.y : walk.sum.step;   // from outside of it
+#endif
         length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
         float more = min(medium_part(place, length), last - walk.along);
 #ifdef NEEDS_PLACE_LATE

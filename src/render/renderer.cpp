@@ -30,6 +30,8 @@ constexpr const char* kSamplers[] = {
     "ends_texture",      "other_side_texture", "disc_matter_texture", "black_body_texture", "star_lens_texture",
     "clearance_texture", "ball_path_texture",  "warp_texture",        "medium_texture"};
 constexpr int kRaysAtOnce = 16;  // that every pixel traces in one draw
+// Where each may go through matter in 1024 spans of some six rounds: llvmpipe ends a shader after 65535 rounds of all its loops, in silence.
+constexpr int kRaysAtOnceInMatter = 4;
 constexpr int kBodyUnit = static_cast<int>(std::size(kSamplers));
 constexpr int kTileUnit = kBodyUnit + kMostBodyImages;
 constexpr int unit_of(std::string_view sampler) {
@@ -318,6 +320,7 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
 template <class Draw>
 void Renderer::draw_samples(int samples, int at_once, Draw draw) {
     const int rays = samples * samples;
+    if (tables_.plan().scene.medium) at_once = std::min(at_once, kRaysAtOnceInMatter);
     for (int first = 0; first < rays; first += at_once) {
         const int count = std::min(at_once, rays - first);
         blocks_.upload_samples(samples, first, count);
