@@ -56,6 +56,7 @@ float march_cover(float depth, float thickness) {
 }
 
 #define MARCH_THINNEST 32.0  // shortest steps: the thinnest body
+#define MARCH_OWN_EDGES 1.5
 #define MARCH_PROBE 4.0      // shortest steps
 
 // What the search on a span asks for next.
@@ -193,8 +194,10 @@ MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
     depth = contact.enters ? depth / nearest.y : -nearest.x;
     float pixel = max(way_pixel(way, place, contact.at), 1.0e-20);
     float cover = march_cover(depth / pixel, MARCH_THINNEST * frame.march.y / pixel);
-    if (contact.enters) contact.covered = blur > 0.0 ? cover : 1.0;
-    else if (span.grazes && blur > 0.0) contact.covered = cover;
+    // Next to where what is seen ends (object/unseen.glsl), pixels are wide, and a body's depth is not its own.
+    bool own = place.r > MARCH_OWN_EDGES * frame.march_shell.w;
+    if (contact.enters) contact.covered = blur > 0.0 && own ? cover : 1.0;
+    else if (span.grazes && blur > 0.0) contact.covered = own ? cover : 0.0;
     return contact;
 }
 

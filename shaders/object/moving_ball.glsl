@@ -2,6 +2,7 @@
 #ifdef MARCH_PASSES
 #include "object/passing.glsl"
 #endif
+#include "object/unseen.glsl"
 #include "path/place"
 #include "shared/objects.glsl"
 
@@ -50,8 +51,10 @@ vec3 ball_path_place(BallPath path) {
 vec3 moving_ball_middle(int i, RayPlace place) { return ball_path_place(moving_ball_path(i, place)); }
 
 float moving_ball_value(int i, RayPlace place) {
-    vec3 offset = place.at - moving_ball_middle(i, place);
-    return sqrt(dot(offset, offset)) - body_form(i).w;
+    vec3 middle = moving_ball_middle(i, place);
+    vec3 offset = place.at - middle;
+    float unseen = max(solid_unseen(place.r), UNSEEN_STEEP * solid_unseen(sqrt(dot(middle, middle))));
+    return max(sqrt(dot(offset, offset)) - body_form(i).w, unseen);
 }
 // It comes to meet the ray: both move.
 float moving_ball_away(int i, RayPlace place) { return moving_ball_value(i, place) / (1.0 + body_form(i).z * place_slowness(place)); }

@@ -1,11 +1,12 @@
 // A sphere about the centre that pulsates. Its form: mean radius, the amplitude, the phase now and its rate.
 #include "path/place"
 #include "object/sphere.glsl"
+#include "object/unseen.glsl"
 #include "shared/objects.glsl"
 
 float pulse_value(int i, RayPlace place) {
     vec4 form = body_form(i);
-    return place.r - form.x * (1.0 + form.y * sin(form.z - form.w * place.delay));
+    return max(place.r - form.x * (1.0 + form.y * sin(form.z - form.w * place.delay)), solid_unseen(place.r));
 }
 
 // It comes to meet the ray: both move.

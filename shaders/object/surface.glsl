@@ -3,6 +3,9 @@
 // the formula asks for the time t. Its form: bound, step, the first of its cells in the clearance texture or -1, time.
 #include "effect/expression.glsl"
 #include "object/clearance.glsl"
+#ifdef BODY_MOVES
+#include "object/unseen.glsl"
+#endif
 #include "path/place"
 #include "shared/objects.glsl"
 
@@ -39,7 +42,13 @@ vec3 BODY_slope(int i, RayPlace place) {
     return clamp(BODY_gradient(i, place.at, BODY_time(i, place)), vec3(-1.0e15), vec3(1.0e15));
 }
 
-float BODY_value(int i, RayPlace place) { return BODY_inside(i, place.at, BODY_time(i, place)); }
+float BODY_value(int i, RayPlace place) {
+    float value = BODY_inside(i, place.at, BODY_time(i, place));
+#ifdef BODY_MOVES
+    value = max(value, solid_unseen(place.r));
+#endif
+    return value;
+}
 
 // By how much more it changes than the distance.
 float BODY_steepness(int i, RayPlace place) {

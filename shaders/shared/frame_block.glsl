@@ -71,7 +71,7 @@ struct FrameData {
 #endif
 #ifdef BLOCK_MARCH
     vec4 march;          // radius about the centre that holds all bodies (of a wormhole those on the near side), shortest step, the radius on the far side, the largest speed of a body
-    vec4 march_shell;    // largest |z| and least radius of all bodies, wherever they move; of a hole the radius within which no ray on its way in meets one; 0
+    vec4 march_shell;    // largest |z| and least radius of all bodies, wherever they move; of a hole the radius within which no ray on its way in meets one; that within which none that moves is seen
 #endif
 #ifdef BLOCK_DISC_PATTERN
     vec4 disc_material_map;     // as object/material.glsl has them

@@ -16,6 +16,13 @@ bool surface_moves(const SurfaceSpec& surface) {
     return formula && formula->uses(kTime);
 }
 
+double unseen_radius(const Scene& scene, std::optional<double> horizon) {
+    constexpr double kAbove = 0.01;  // of the horizon's radius
+    if (!horizon || !scene.light.delay || !scene.light.lensing) return 0.0;
+    const double radius = (1.0 + kAbove) * *horizon;
+    return scene.camera.r > radius ? radius : 0.0;
+}
+
 std::vector<std::string> moving_parts(const Scene& scene) {
     std::vector<std::string> parts;
     if (scene.disc && scene.disc->flow != DiscFlowKind::kStill) parts.emplace_back("disc.flow");

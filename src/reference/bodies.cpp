@@ -101,13 +101,25 @@ struct PartOf {
     }
 };
 
+// A body that moves, as far as it is seen: nothing within a radius about the centre, and no ball whose middle is there. As steep as a ball
+// that falls there needs 1 r_s/c for.
+std::function<double(Vec3, double)> above(double unseen, const BodyPart& part) {
+    constexpr double kSteep = 100;
+    return [=, value = part.value, middle = part.middle](Vec3 x, double t) {
+        const double place = unseen - length(x), whole = middle ? kSteep * (unseen - length(middle(t))) : place;
+        return std::max({value(x, t), place, whole});
+    };
+}
+
 }  // namespace
 
 Bodies::Bodies(const Scene& scene, const Metric& matter) : time_(scene.time) {
+    const double unseen = unseen_radius(scene, matter.horizon_radius());
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         BodyPart part;
         part.number = object_number(scene, i), part.body = i, part.far = scene.bodies[i].far;
         part = std::visit(PartOf{scene, matter, part}, scene.bodies[i].shape);
+        if (part.moves && unseen > 0) part.value = above(unseen, part);
         moves_ = moves_ || part.moves;
         if (part.value) parts_.push_back(std::move(part));
     }

@@ -6,6 +6,7 @@
 
 #include "light/black_body.h"
 #include "plan/body_kind.h"
+#include "plan/moving.h"
 #include "scene/named_surface.h"
 #include "shaderlib/body_text.h"
 #include "spacetime/axial_metric.h"
@@ -104,14 +105,17 @@ std::array<double, 2> circular_rate_numbers(const Spacetime& matter) {
 SolidFormula solid_of(const SurfaceSpec& surface) { return {surface_shape(surface), surface.bound}; }
 
 void put_march(FrameData& frame, const FramePlan& plan, const BallPaths& paths) {
+    constexpr double kNowhere = 1e30;
     constexpr double kMarchStep = 1.0 / 32;  // the shortest, of the thinnest body; a surface says its own
     const Spacetime& spacetime = *plan.light;
     double reaches[2] = {0.0, 0.0}, thinnest = 1e30, least_radius = 1e30, height = 0.0;  // near, far
     double fastest = 0.0;
+    bool moves = false;
     for (const std::size_t i : shader_bodies(plan.scene)) {
         const Body& body = plan.scene.bodies[i];
         if (found_by_formula(body, spacetime)) continue;
         BodyExtent extent = kind_of(body).extent(body);
+        moves = moves || kind_of(body).moves(body) != nullptr;
         if (const auto ball = paths.balls.find(i); ball != paths.balls.end()) {
             const BallPath& path = ball->second;
             extent.from = std::max(path.least_radius, 0.0), extent.to = path.reach, extent.height = path.height;
@@ -130,8 +134,10 @@ void put_march(FrameData& frame, const FramePlan& plan, const BallPaths& paths) 
     // A body beside a ray covers a part of its pixel from two pixels off.
     const CameraSpec& camera = plan.scene.camera;
     const double beside = 2.0 * camera.pixel() * (std::fabs(camera.r) + reaches[0]);
+    const double unseen = unseen_radius(plan.scene, spacetime.horizon_radius());
     frame.march_shell = {with_margin(height) + beside, std::max(least - beside, 0.0),
-                         spacetime.planar_rays() ? 0.0 : std::min(least, light_orbit(spacetime)), 0};
+                         spacetime.planar_rays() ? 0.0 : std::min(least, light_orbit(spacetime)),
+                         moves && unseen > 0.0 ? unseen : -kNowhere};
 }
 
 std::vector<FrameVector> object_numbers(const FramePlan& plan, const RayFamily* family, const BallPaths& paths,

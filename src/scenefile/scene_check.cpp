@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -241,6 +242,29 @@ Faults check_zoom(const Scene& scene, const World& world) {
     return view ? Faults{} : one(view.error(), "zoom.depth");
 }
 
+// A ball on a path by formulas: whether it is in the hole, whence nothing comes out, at a time that is seen.
+Faults check_ball_path(const Scene& scene, const World& world, const BallMotionAt& motion, const std::string& key) {
+    constexpr double kBent = 60.0;  // r_s/c: as render/ball_paths.cpp, light after ten half turns
+    constexpr int kSamples = 2000;
+    const double horizon = world->horizon_radius().value_or(0.0);
+    if (unseen_radius(scene, world->horizon_radius()) == 0.0) return {};
+    const double to = scene.time - (scene.camera.r - horizon), step = (scene.camera.r + kBent) / kSamples;
+    double first = NAN, last = NAN;
+    for (int i = 0; i <= kSamples; ++i) {
+        const double t = to - i * step;
+        if (!(length(motion(t).place) < horizon)) continue;
+        if (std::isnan(last)) last = t;
+        first = t;
+    }
+    if (std::isnan(last)) return {};
+    return {
+        {key,
+         fmt::format("the middle of the ball is inside the horizon, r = {:.4g}, from t = {:.4g} to {:.4g}, which is "
+                     "seen at time {}; nothing comes out of a hole",
+                     horizon, first, last, scene.time),
+         "a path outside the horizon at times that are seen"}};
+}
+
 // What moves: whether it can, and whether its light's delay is known there.
 Faults check_motion(const Scene& scene, const World& world, const std::string& metric, bool delay) {
     const auto moving = moving_parts(scene);
@@ -261,6 +285,8 @@ Faults check_motion(const Scene& scene, const World& world, const std::string& m
             faults.push_back({motion, "nothing moves in a wormhole", "still"});
         else if (const auto moves = ball_motion(*world, *ball); !moves)
             append(faults, one(within(section, moves.error()), motion));
+        else if (ball->motion == BallMotion::kPath)
+            append(faults, check_ball_path(scene, world, *moves, motion));
     }
     return faults;
 }
