@@ -22,11 +22,11 @@ Scene within_scene(const char* metric, double spin, double r, double theta) {
     return scene;
 }
 
-struct Case {
+struct WithinCase {
     const char* metric;
     double spin;
 };
-constexpr Case kMetrics[] = {{"schwarzschild", 0}, {"minkowski", 0}, {"kerr", 0.9}};
+constexpr WithinCase kMetrics[] = {{"schwarzschild", 0}, {"minkowski", 0}, {"kerr", 0.9}};
 
 Difference checked(GpuSession& session, const char* name, const Scene& scene, double flux, double pixel) {
     CAPTURE(name);
@@ -75,7 +75,7 @@ TEST_CASE("medium within: a soft disc is the reference's") {
     constexpr double kFlux = 0.03, kPixel = 0.12, kFineFlux = 0.008, kFinePixel = 0.03;
     on_every_context([&](GpuSession& session) {
         Selection selection(3);
-        for (const Case& one : kMetrics)
+        for (const WithinCase& one : kMetrics)
             for (const auto& [r, theta] : {std::pair{8.2637, 80.2284}, {4.0, 80.0}, {12.5, 85.0}, {10.0, 89.0}}) {
                 if (!selection.takes_next()) continue;
                 CAPTURE(r);
@@ -92,7 +92,7 @@ TEST_CASE("medium within: every other kind is the reference's") {
     constexpr double kFlux = 8e-3, kPixel = 0.02;
     on_every_context([&](GpuSession& session) {
         Selection selection(4);
-        for (const Case& one : kMetrics) {
+        for (const WithinCase& one : kMetrics) {
             Scene flow = within_scene(one.metric, one.spin, 3, 1.4);
             flow.medium->kind = MediumKind::kFlow, flow.medium->absorption = 3e4, flow.medium->flattening = 2;
             Scene power = within_scene(one.metric, one.spin, 6, 1.2);
