@@ -131,7 +131,10 @@ TEST_CASE("bodies: two kinds side by side shed no light beside them") {
     const std::vector<std::pair<const char*, void (*)(Scene&)>> bodies = {
         {"sphere", [](Scene& s) { add_body<SphereSpec>(s); }},
         {"cylinder", [](Scene& s) { add_body<CylinderSpec>(s); }},
-        {"ball", [](Scene& s) { add_body<BallSpec>(s).position = {6, 0, 0}; }},
+        {"ball",
+         [](Scene& s) {
+             add_body<BallSpec>(s).position = {6, 0, 0};
+         }},
         {"steep surface", [](Scene& s) { add_body<SurfaceSpec>(s).shape = "40 * (length(x, y - 5, z) - 2)"; }},
         {"surface", [](Scene& s) { add_body<SurfaceSpec>(s); }}};
     on_one_context([&](GpuSession& session) {

@@ -52,7 +52,8 @@ TEST_CASE("warp mesh: files that are none are refused with their line") {
         {head + node + node + node + node + node, 7, "after the last node", "4 nodes"},
         {std::string("\x00\xff\x1b[2J\n", 7), 1, "is not a finite number", "1 (polar)"},
         {"2\n" + std::string(1000, '7') + "\n", 2, "a line of 1000 bytes", "nx ny"},
-        {warp_text(300, 300, 1.0, [](WarpNode& n) { n.x *= 1e-9, n.y *= 1e-9; }), 0, "cells overlap", "4096 at one place"},
+        {warp_text(300, 300, 1.0, [](WarpNode& n) { n.x *= 1e-9, n.y *= 1e-9; }), 0, "cells overlap",
+         "4096 at one place"},
     };
     for (const Bad& bad : kBad) {
         const auto mesh = WarpMesh::parse(bad.text, "mesh.data");
