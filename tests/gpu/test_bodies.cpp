@@ -133,9 +133,9 @@ TEST_CASE("bodies: two kinds side by side shed no light beside them") {
         {"cylinder", [](Scene& s) { add_body<CylinderSpec>(s); }},
         {"ball",
          [](Scene& s) {
-             add_body<BallSpec>(s).position = {6, 0, 0};
+             add<BallSpec>(s).position = {6, 0, 0};
          }},
-        {"steep surface", [](Scene& s) { add_body<SurfaceSpec>(s).shape = "40 * (length(x, y - 5, z) - 2)"; }},
+        {"steep surface", [](Scene& s) { add<SurfaceSpec>(s).shape = "40 * (length(x, y - 5, z) - 2)"; }},
         {"surface", [](Scene& s) { add_body<SurfaceSpec>(s); }}};
     on_one_context([&](GpuSession& session) {
         Selection selection(3);

@@ -118,7 +118,8 @@ TEST_CASE("kerr near: a wide view with pixels so small that it is next to the cr
         CHECK((effects.contains(Effect::kSpinNear) && effects.contains(Effect::kSpinRing)));
         constexpr double kFiner4K = 3840.0 / 192;
         double most_px = 0;
-        const TileErrors tile = measure_tile(drawn, scene.camera, reference_trace(scene), {54, 44, 78, 66}, 1e-4);
+        const TileErrors tile =
+            measure_tiles(drawn, scene.camera, reference_trace(scene), {{54, 44, 78, 66}}, 1e-4).front();
         for (const PixelErrors& pixel : tile.pixels) {
             CHECK(pixel.end != RayEnd::kDiffers);
             most_px = std::max(most_px, pixel.sky_px * kFiner4K);

@@ -65,12 +65,12 @@ TileKind tile_kind(const Scene& scene, const EffectSet& effects) {
     return {light_path_kind(effects), parts};
 }
 
-struct Difference {
+struct FrameDifference {
     long long pixels = 0, drawn = 0;
     float most = 0.0f;
 };
 
-void compare(Renderer& renderer, const Scene& scene, Tiles drawn, Difference& sum) {
+void compare(Renderer& renderer, const Scene& scene, Tiles drawn, FrameDifference& sum) {
     if (!renderer.prepare(scene)) return;  // a camera within a body, or where no frame is at rest
     renderer.limit_tiles(drawn);
     const Image<float> tiles = renderer.picture();
@@ -101,7 +101,7 @@ TEST_CASE("tiles: a picture in tiles is the picture") {
         if (test::depth() == test::Depth::kQuick && (known || !selection.takes_next())) continue;
         ++scenes;
         std::mt19937 random(1);
-        Difference sum;
+        FrameDifference sum;
         compare(*session->renderer, scene, Tiles::kTraced, sum);
         for (int i = 0; i < poses; ++i) compare(*session->renderer, moved(scene, random), Tiles::kTraced, sum);
         fmt::print("tiles, {:<18} {} of {} pixels differ, by {:.1e} at most\n", info.name, sum.pixels, sum.drawn,
@@ -134,7 +134,7 @@ TEST_CASE("tiles: thin, small and edge-on discs are not missed") {
     test::Selection selection(5);  // no divisor of the views: other ones of each kind
     for (const char* metric : {"schwarzschild", "kerr"})
         for (const double opacity : {1.0, 0.5}) {
-            Difference sum;
+            FrameDifference sum;
             for (const View& view : views) {
                 if (!selection.takes_next()) continue;
                 Scene scene;
@@ -222,7 +222,7 @@ TEST_CASE("tiles: interpolated rays are those that are traced") {
         std::mt19937 random(2);
         double worst = 0;
         long long interpolated = 0, all = 0, fates = 0;
-        Difference light;
+        FrameDifference light;
         for (int i = 0; i <= poses; ++i) {
             const Scene pose = i == 0 ? scene : moved(scene, random);
             if (!renderer.prepare(pose)) continue;
