@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,6 +13,7 @@
 #include "compare/st_map.h"
 #include "image/channels.h"
 #include "observer/ball_motion.h"
+#include "plan/moving.h"
 #include "scene/bodies.h"
 #include "sky/sky.h"
 #include "spacetime/circular_orbit.h"
@@ -23,25 +25,38 @@ void add_colours(const std::string& prefix, const Image<float>& image, ChannelIm
     for (int c = 0; c < 3; ++c) file.channels[prefix + "RGB"[c]] = channel_of(image, c);
 }
 
-// What the scene's things do between two pictures. Balls do not turn about themselves.
+double radius_at(const SphereSpec& sphere, double time) {
+    return sphere.radius * (1.0 + sphere.amplitude * std::sin(2.0 * M_PI * time / sphere.period));
+}
+
+// What the scene's things do between two pictures. Balls do not turn about themselves; a sphere that pulsates moves along its radii; where the
+// places of a surface whose formula asks for t go nobody says.
 class Motions {
 public:
     // spacetime: of the scene's matter. Both outlive this.
     Motions(const Scene& scene, const Spacetime& spacetime) : scene_(scene), spacetime_(spacetime) {
         for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-            const auto* ball = std::get_if<BallSpec>(&scene.bodies[i].shape);
+            const int number = object_number(scene, i);
+            const BodyShape& shape = scene.bodies[i].shape;
+            if (const auto* sphere = std::get_if<SphereSpec>(&shape); sphere != nullptr && sphere->amplitude > 0.0)
+                spheres_.emplace(number, sphere);
+            if (const auto* surface = std::get_if<SurfaceSpec>(&shape); surface != nullptr && surface_moves(*surface))
+                surfaces_.insert(number);
+            const auto* ball = std::get_if<BallSpec>(&shape);
             if (ball == nullptr || !ball->moves()) continue;
-            if (auto motion = ball_motion(spacetime_, *ball))
-                balls_.emplace(object_number(scene, i), std::move(*motion));
+            if (auto motion = ball_motion(spacetime_, *ball)) balls_.emplace(number, std::move(*motion));
         }
     }
 
     Vec3 moved(const RayPixel& pixel, double time) const {
         const Vec3 place{pixel.u, pixel.v, pixel.w};
         if (pixel.hit == kDiscHit) return on_disc(place, time);
+        if (surfaces_.contains(pixel.hit)) return {kNotANumber, kNotANumber, kNotANumber};
+        const double left = scene_.time - pixel.delay;  // when the light did; now, where all is seen at once
+        if (const auto sphere = spheres_.find(pixel.hit); sphere != spheres_.end())
+            return radius_at(*sphere->second, left + time) / radius_at(*sphere->second, left) * place;
         const auto ball = balls_.find(pixel.hit);
         if (ball == balls_.end()) return place;
-        const double left = scene_.time - pixel.delay;  // when the light did; now, where all is seen at once
         return place + ball->second(left + time).place - ball->second(left).place;
     }
 
@@ -56,6 +71,8 @@ private:
     const Scene& scene_;
     const Spacetime& spacetime_;
     std::map<int, BallMotionAt> balls_;
+    std::map<int, const SphereSpec*> spheres_;  // that pulsate
+    std::set<int> surfaces_;                    // that depend on time
 };
 
 // Ray data whose things are all seen as they are now: no light has left earlier.

@@ -92,6 +92,29 @@ class Layers(support.CliTest):
         self.assertAlmostEqual(got["forward.u"][18][32], -32 * 3 ** 0.5 * 3.14159265 / 180, delta=0.01)
         self.assertAlmostEqual(got["forward.v"][18][32], 0, delta=0.01)
 
+    def test_motion_of_what_changes_its_shape(self):
+        """A pulsating sphere moves along its radii; where the places of a surface with t go is not known."""
+        view = '[spacetime]\nmetric = "minkowski"\n[camera]\nr = 20\ntheta = 90\nfov = 60\n[sky]\nkind = "black"\n[light]\ndelay = "off"\n'
+        self.write("pulse.toml", view + "[sphere]\nradius = 4\namplitude = 0.3\nperiod = 20\n")
+        self.write("surface.toml", view + '[surface]\nshape = "length(x, y, z) - 4 - 0.1 * t"\n')
+        for name in ("pulse", "surface"):
+            self.run_nullscope("capture", f"{name}.toml", "--size", "128x72", "--layers", "--time-step", "0.5", "--frames", "0:1", "-o", f"{name}%d.exr")
+        got = support.read_exr((self.folder / "surface0.exr").read_bytes())
+        self.assertGreater(sum(h >= 4 for row in got["hit"] for h in row), 500)
+        self.assertEqual(sum(known for row, hits in zip(got["forward.known"], got["hit"]) for known, h in zip(row, hits) if h >= 4), 0)
+        got = support.read_exr((self.folder / "pulse0.exr").read_bytes())
+        grows, scale, errors = 1 + 0.3 * math.sin(2 * math.pi * 0.5 / 20), 64 * 3 ** 0.5, []
+        for y, row in enumerate(got["forward.known"]):
+            for x, known in enumerate(row):
+                if not known or not got["hit"][y][x]:
+                    continue
+                place = [got[c][y][x] for c in "uvw"]
+                self.assertAlmostEqual(math.hypot(*place), 4, delta=1e-4)
+                across = [scale * grows * place[i] / (20 - grows * place[0]) for i in (1, 2)]     # seen from (20, 0, 0): y to the right, z up
+                errors.append(max(abs(64 - 0.5 + across[0] - x - got["forward.u"][y][x]), abs(36 - 0.5 - across[1] - y + got["forward.v"][y][x])))
+        self.assertGreater(len(errors), 500)
+        self.assertLess(max(errors), 0.02)
+
     def test_a_plate_without_a_hole_is_the_picture(self):
         got = self.channels("flat", "--size", "64x36", "--st-map", "plate", "-o", "st.exr")
         for y, row in enumerate(got["B"]):
