@@ -189,6 +189,15 @@ class ImageLight(support.CliTest):
             self.run_nullscope("capture", "hot.toml", "--size", "8x4", "--half", "-o", "a.exr")
             self.assertEqual({value for rows in support.read_exr((self.folder / "a.exr").read_bytes()).values() for row in rows for value in row}, {500.0, 65504.0}, eyes)
 
+    def test_images_on_things_say_where_half_floats_end(self):
+        for name, light, cut in (("a.exr", 1e6, True), ("b.exr", 6e4, False)):
+            self.write(name, plain_exr(16, 8, grey(light)))
+            for thing in (f'[sphere]\nradius = 4\ntexture = "image"\nimage = "{name}"\n', f'[disc]\nimage = "{name}"\n'):
+                self.write("s.toml", FLAT.format(fov=60) + '[sky]\nkind = "black"\n' + thing)
+                for words in ((), ("--quiet",)):
+                    said = self.run_nullscope("capture", "s.toml", "--size", "32x18", *words, "-o", "s.exr").said()
+                    self.assertEqual("above 65504, the largest half float" in said, cut and not words, (thing, words, said))
+
     def test_no_light_is_below_0(self):
         self.run_nullscope("capture", "m87", "--size", "96x54", "-o", "m.exr")
         got = support.read_exr((self.folder / "m.exr").read_bytes())
