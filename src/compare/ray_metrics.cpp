@@ -135,6 +135,7 @@ public:
     // Compares the pixels of rectangles; on all cores, or on the calling thread alone.
     std::vector<TileErrors> tiles(const std::vector<PixelRect>& rects, bool parallel) const {
         std::vector<PixelRect> around;
+        around.reserve(rects.size());
         for (const PixelRect& rect : rects)
             around.push_back({std::max(0, rect.left - 1), std::max(0, rect.top - 1),
                               std::min(tested_.width, rect.right + 1), std::min(tested_.height, rect.bottom + 1)});

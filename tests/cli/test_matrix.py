@@ -178,6 +178,13 @@ class Matrix(support.CliTest):
                     wrong.append(f"{chosen}: {got}")
         self.assertEqual(wrong, [], "\n".join(wrong))
 
+    def test_random_scenes_are_drawn(self):
+        """scripts/random_scenes.py makes scenes, settles what they rule out, and judges them."""
+        seed, count = ("13", "2") if not support.depth.EVERYTHING else (str(support.dice("scenes").randrange(10 ** 6)), "50")
+        done = subprocess.run([sys.executable, "-B", ASSETS.parent / "scripts/random_scenes.py", "--binary", support.BINARY, "--count", count,
+                               "--seed", seed, "--folder", self.folder / "scenes"], capture_output=True, text=True, timeout=support.LONGEST_S)
+        self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (0, f"{count} scenes, 0 with something wrong"), done.stdout + done.stderr)
+
     def test_the_judge_sees(self):
         """A switch that is ignored, a thing that is left out, a layer that is missing."""
         place, few = (11.0, 70.0, 10.0, 7.0), 2 if support.QUICK else None
