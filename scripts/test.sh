@@ -91,7 +91,7 @@ early=()
 command -v clang-format >/dev/null && early+=(format)
 [[ $tier != turn ]] || early+=(tidy-changed)
 [[ ${#early[@]} -eq 0 ]] || "$root/scripts/check.sh" "${early[@]}" || failed 1
-run_ctest -L '^layering$' --quiet || failed 1
+layering=$(run_ctest -L '^layering$' 2>&1) || { echo "$layering"; failed 1; }
 
 measured "programs: both" "$root/scripts/build.sh" nullscope nullscope-viewer || failed 1
 targets=$(for label in unit contract gpu golden proof fuzz viewer ${web[@]+"${web[@]}"}; do targets_of "$label"; done)
