@@ -65,6 +65,13 @@ struct SpinState {
 };
 
 #ifdef NEEDS_FINE_ZETA
+// A float sum is rounded, whatever a compiler that takes (a + b) - a for b may think: what the host gives is far below every zeta.
+#ifdef EFFECT_SPIN_RING
+float rounded_sum(float zeta, float more) { return max(zeta + more, frame.ring_peak_3.w); }
+#else
+float rounded_sum(float zeta, float more) { return max(zeta + more, frame.spin_near_2.w); }
+#endif
+
 float spin_fine_of(SpinState at) { return at.fine; }
 #else
 float spin_fine_of(SpinState at) { return 0.0; }

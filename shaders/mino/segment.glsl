@@ -35,7 +35,12 @@ SpinArc spin_arc(SpinState from, SpinState to, float h) {
 }
 
 vec4 spin_at(SpinArc arc, float s) {
-    return arc.c0 + s * (arc.c1 + s * (arc.c2 + s * (arc.c3 + s * (arc.c4 + s * arc.c5))));
+    vec4 more = s * (arc.c1 + s * (arc.c2 + s * (arc.c3 + s * (arc.c4 + s * arc.c5))));
+    vec4 at = arc.c0 + more;
+#ifdef NEEDS_FINE_ZETA
+    at.w = rounded_sum(arc.c0.w, more.w);
+#endif
+    return at;
 }
 
 // Of zeta in what spin_at() gives.

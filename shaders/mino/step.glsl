@@ -20,13 +20,6 @@
 #endif
 
 #ifdef NEEDS_FINE_ZETA
-// A float sum is rounded, whatever a compiler that takes (a + b) - a for b may think: what the host gives is far below every zeta.
-#ifdef EFFECT_SPIN_RING
-float rounded_sum(float zeta, float more) { return max(zeta + more, frame.ring_peak_3.w); }
-#else
-float rounded_sum(float zeta, float more) { return max(zeta + more, frame.spin_near_2.w); }
-#endif
-
 // What is lost of a sum zeta + more.
 float spin_fine(SpinState from, float more, float to) { return from.fine + (more - (to - from.y.w)); }
 

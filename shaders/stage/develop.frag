@@ -22,7 +22,7 @@ void main() {
 #endif
 #ifdef EFFECT_AUTO_EXPOSURE
     float metered = texelFetch(meter_texture, ivec2(0), 0).r;
-    exposure *= METER_KEY / max(metered, 1.0e-4);
+    exposure *= METER_KEY / clamp(metered, 1.0e-4, 1.0e30);
 #endif
     colour = vec4(display_encode(light, exposure), 1.0);
 }

@@ -7,5 +7,6 @@ void main() {
     float sum = 0.0;
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) sum += dot(texelFetch(source_texture, ivec2(x, y), 0).rgb, vec3(0.2126, 0.7152, 0.0722));
-    colour = vec4(vec3(sum / float(size.x * size.y)), 1.0);
+    // In browsers light beyond 65504 is infinite, which would stay in an adapting mean for ever.
+    colour = vec4(vec3(min(sum / float(size.x * size.y), 1.0e30)), 1.0);
 }

@@ -37,7 +37,9 @@ std::array<std::atomic<const char*>, 16> unfinished{};
 extern "C" void remove_unfinished(int signal) {
     for (const auto& name : unfinished)
         if (const char* path = name.load()) ::unlink(path);
-    ::raise(signal);  // as SA_RESETHAND left it: the process ends by the signal itself once the handler returns
+    // Not by SA_RESETHAND: a second signal, to another thread, would end the process before its files are gone.
+    std::signal(signal, SIG_DFL);
+    ::raise(signal);  // the process ends by the signal itself once the handler returns
 }
 
 // Removes the file on scope exit, also when the writer throws, and when a signal ends the process.
@@ -80,7 +82,6 @@ void clean_up_on_signals() {
         struct sigaction action {};
         if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
         action.sa_handler = remove_unfinished;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
         ::sigaction(signal, &action, nullptr);
     }
 }

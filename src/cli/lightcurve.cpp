@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/atomic_file.h"
 #include "base/progress.h"
 #include "cli/command.h"
 #include "cli/table_file.h"

@@ -11,7 +11,6 @@
 
 #include "annotate/annotations.h"
 #include "base/assets.h"
-#include "base/atomic_file.h"
 #include "base/progress.h"
 #include "base/text.h"
 #include "cli/capture_options.h"

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "base/atomic_file.h"
 #include "base/text.h"
 #include "cli/command.h"
 #include "cli/spectrum_plot.h"

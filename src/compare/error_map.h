@@ -1,6 +1,5 @@
 // The errors of a frame, pixel by pixel as they are measured: in which order, what they come to, and a heat map for the screen.
 #pragma once
-#include <functional>
 #include <vector>
 
 #include "compare/ray_metrics.h"

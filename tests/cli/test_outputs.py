@@ -88,7 +88,7 @@ class Outputs(support.CliTest):
                 together = set(given)
                 impossible = (
                     len(given) != len(together)
-                    or ("--st-map" in together and together & {"--raydata", "--layers"})
+                    or ("--st-map" in together and together & {"--raydata", "--layers", "--samples"})
                     or ("--half" in together and together & {"--raydata", "--layers", "--st-map", "--renderer"})
                     or {"--layers", "--renderer"} <= together)
                 if impossible:

@@ -140,7 +140,7 @@ class Pictures(support.CliTest):
         """And a line says how many numbers are cut, unless it is quiet."""
         scene = self.write("s.toml", '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "plain"\ncolour = [0.7, 0.7, 0.01]\nbrightness = 1e6\n')
         for words, says in ((("--half",), "a.exr: 288 numbers above 65504, the largest half float, are written as that\n"), ((), ""), (("--half", "--quiet"), "")):
-            self.assertEqual(self.run_nullscope("capture", scene, "--size", "16x9", *words, "-o", "a.exr").err, says)
+            self.assertEqual(self.run_nullscope("capture", scene, "--size", "16x9", *words, "-o", "a.exr").said(), says)
 
     def test_light_of_any_brightness_is_shown(self):
         """With bloom and automatic exposure too, which work on light before its exposure: of 1e-7 and 5e5 as of 1. A sky of one colour."""

@@ -39,7 +39,7 @@ class Sequences(support.CliTest):
 
     def test_a_cube_has_square_faces(self):
         self.write("cube.toml", '[camera]\nprojection = "cube"\nsize = [96, 64]\n')
-        self.refused("capture", "cube.toml", "--size", "64x64", "-o", "a.png", says=["--size 64x64", "squares"])
+        self.refused("capture", "cube.toml", "--size", "64x64", "-o", "a.png", says=["--size 64x64", "square faces", "192x128"])
 
     def test_the_worst_frame_is_named_once(self):
         self.write("path.toml", PATH % "yaw = 40" + '[picture]\nshutter = 1\nsub_frames = 2\n')

@@ -103,6 +103,7 @@ TEST_CASE("light time: what it costs to follow a moving body in time") {
 TEST_CASE(
     "what moves is met where the reference meets it, at every pixel, with and without the time that light takes") {
     constexpr double kScreenError_px = 0.05;
+    constexpr const char* kGone = "ball in free fall, long ago, into the hole";
     struct Case {
         const char* name;
         std::function<void(Scene&)> set;
@@ -119,7 +120,7 @@ TEST_CASE(
     const std::vector<Case> cases = {
         {"ball on an orbit", ball(BallMotion::kOrbit)},
         {"ball in free fall", ball(BallMotion::kGeodesic)},
-        {"ball in free fall, long ago, into the hole",
+        {kGone,
          [=](Scene& s) {
              ball(BallMotion::kGeodesic)(s), first_shape<BallSpec>(s)->velocity = {-0.3, 0.02, 0.1}, s.time = 60;
          }},
@@ -171,7 +172,7 @@ TEST_CASE(
                        m.sky_px.max, m.place_px.max, m.angle_px.max, m.fate_errors, m.place_px.count);
             CHECK(m.not_finite == 0);
             CHECK(m.fate_errors == 0);
-            CHECK(m.place_px.count > 0);
+            CHECK((m.place_px.count > 0) != (c.name == std::string_view(kGone)));
             CHECK(m.place_px.max <= kScreenError_px);
             CHECK(m.angle_px.max <= kScreenError_px);
         }
