@@ -10,6 +10,7 @@
 #include "core/exports.h"
 #include "core/session.h"
 #include "gl/gl.h"
+#include "platform/filters.h"
 #include "render/frontier.h"
 #include "render/renderer.h"
 #include "scene/picture_size.h"
@@ -64,9 +65,11 @@ void draw_half(Renderer& by, gl::Target& target, const CameraSpec& camera, int x
 
 }  // namespace
 
-// For a new context, also after one was lost. floats: it draws to textures of floats; without that nothing is drawn in tiles.
-NULLSCOPE_EXPORT(start_view) void start_view(bool floats) {
+// For a new context, also after one was lost. floats: it draws to textures of floats; without that nothing is drawn in tiles. filtered:
+// gl::filters_floats.
+NULLSCOPE_EXPORT(start_view) void start_view(bool floats, bool filtered) {
     gl::prepare_context();
+    gl::filters_floats = filtered;
     float_targets = floats;
     renderer = make_renderer();
     right.reset();

@@ -52,7 +52,7 @@ export class Engine {
     ]);
     this.core = core;
     for (const [path, text] of Object.entries(scenes)) core.call("put_file", SHIPPED + path, text);
-    core.exports.start_view(this.limits.floats);
+    core.exports.start_view(this.limits.floats, this.limits.filtered);
     return { device: deviceString(gl), ...this.limits };
   }
 
@@ -60,9 +60,9 @@ export class Engine {
     const gl = this.gl;
     const floats = Boolean(gl.getExtension("EXT_color_buffer_float"));
     const halves = floats || Boolean(gl.getExtension("EXT_color_buffer_half_float"));
-    gl.getExtension("EXT_float_blend");
+    const blend = Boolean(gl.getExtension("EXT_float_blend"));
     const linear = Boolean(gl.getExtension("OES_texture_float_linear"));
-    return { floats, halves, linear, largest: gl.getParameter(gl.MAX_TEXTURE_SIZE) };
+    return { floats, halves, linear, filtered: floats && blend && linear, largest: gl.getParameter(gl.MAX_TEXTURE_SIZE) };
   }
 
   // ---- scenes
@@ -319,7 +319,7 @@ export class Engine {
   #restored() {
     this.limits = this.#extensions();
     this.functions.forget();
-    this.core.exports.start_view(this.limits.floats);
+    this.core.exports.start_view(this.limits.floats, this.limits.filtered);
     this.started = true;
     this.drawn = null;
     this.say("restored", {});

@@ -1,5 +1,6 @@
 // WebGL2 for src/gl: its functions are those of OpenGL ES 3.0, which page/webgl.js gives. It has no clock.
 #include "gl/gl.h"
+#include "platform/filters.h"
 
 #include <glad/gl.h>
 
@@ -12,7 +13,8 @@ void prepare_context() {}
 
 void fail(const std::string& what) { page_fail(what.data(), what.size()); }
 
-Format filtered_light() { return Format::kRgba16F; }
+bool filters_floats = false;
+Format filtered_light() { return filters_floats ? Format::kRgba32F : Format::kRgba16F; }
 
 // page/webgl.js says yes where the browser cannot tell (KHR_parallel_shader_compile).
 bool is_compiled(const Program& program) {
