@@ -183,8 +183,7 @@ Result<Job> job_of(const CaptureOptions& options, const OpenedScene& opened) {
     if (job.path && job.path->falls() && options.time_step != 0)
         return bad_input("--time-step: the scene's time goes with the camera that falls",
                          "scenes whose path.kind is not fall");
-    if (options.time_step != 0 && !options.to_film() && options.frames.empty() && !names_frames(options.output) &&
-        job.scene.picture.shutter <= 0.0)
+    if (options.time_step != 0 && options.to_one_picture() && job.scene.picture.shutter <= 0.0)
         return bad_input("--time-step: one picture is of one moment, without picture.shutter",
                          "with --frames A:B, or a scene with picture.shutter");
     TRY(frames, frames_of(options, job.path ? &*job.path : nullptr));

@@ -14,6 +14,8 @@
 
 namespace nullscope::cli {
 
+bool CaptureOptions::to_one_picture() const { return frames.empty() && !to_film() && !names_frames(output); }
+
 Status check_options(const CaptureOptions& options) {
     const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
     if (std::error_code none; !folder.empty() && !names_frames(folder) && !std::filesystem::is_directory(folder, none))
@@ -21,7 +23,7 @@ Status check_options(const CaptureOptions& options) {
     if (!options.to_linear_light() && !options.to_film() && !options.to_jpeg() && !options.output.ends_with(".png"))
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
                          fmt::format("names that end in .png, .jpg, .exr, .fits or {}", film_endings()));
-    if (options.workers > 1 && !options.to_film() && options.frames.empty() && !names_frames(options.output))
+    if (options.workers > 1 && options.to_one_picture())
         return bad_input("--workers: one picture is drawn by one process; give --frames A:B or a film");
     if (options.quality && !options.to_jpeg()) return bad_input("--quality is of a JPEG; give -o FILE.jpg");
     if (options.layers && (!options.to_exr() || !options.split.empty() || options.renderer != "gl"))
@@ -36,8 +38,7 @@ Status check_options(const CaptureOptions& options) {
     if (options.max_error && options.method != "auto")
         return bad_input(fmt::format("--max-error: --method {} is the one that was asked for", options.method),
                          "--method auto");
-    const bool single = options.frames.empty() && !options.to_film() && !names_frames(options.output);
-    if (options.resume && single)
+    if (options.resume && options.to_one_picture())
         return bad_input("--resume: one picture is drawn anew", "with --frames A:B, or -o NAME%05d.png");
     if (options.samples && !options.st_map.empty())
         return bad_input("--samples: an ST map has one ray a pixel", "without --st-map");

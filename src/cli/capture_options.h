@@ -33,6 +33,7 @@ struct CaptureOptions : DrawOptions {
     bool to_linear_light() const { return to_exr() || to_fits(); }
     bool to_jpeg() const { return output.ends_with(".jpg") || output.ends_with(".jpeg"); }
     bool to_film() const { return is_film(output); }
+    bool to_one_picture() const;  // neither a film nor numbered frames
     // What drawing needs to know of the file.
     DrawOptions drawing() const {
         DrawOptions options = *this;

@@ -198,8 +198,7 @@ std::string drawn(const std::vector<Ring>& rings, int count, double left, const 
 
 std::string photon_ring_svg(const std::string& head, const std::vector<Ring>& rings, int count) {
     constexpr double kLeft = 70, kSecond = kLeft + Panel::kWidth + 80, kBottom = Panel::kTop + Panel::kHeight;
-    std::string title;  // no markup of a scene's
-    for (const char c : head) title += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+    const std::string title = in_xml(head);
     std::string svg(kSvgWhite);
     svg += svg_text(16, 28, title, 14);
     svg += drawn(rings, count, kLeft, "Width of subring n, rad; lines: exp(-gamma n)", true,

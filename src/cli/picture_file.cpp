@@ -28,10 +28,6 @@ Result<std::map<std::string, std::string>> words_of(PictureOrigin origin, std::s
     return picture_words(origin);
 }
 
-std::size_t beyond_halves(const Image<float>& light) {
-    return static_cast<std::size_t>(std::ranges::count_if(light.data, [](float x) { return x > kMostHalf; }));
-}
-
 void say_halves(const std::string& file, std::size_t beyond, const Listener& listener) {
     if (beyond > 0)
         listener.note(fmt::format("{}: {} numbers above {:g}, the largest half float, are written as that", file,
@@ -79,7 +75,7 @@ Result<std::string> capture_large_exr(Session& session, const PictureOrigin& ori
             }
             tell_notes(session, options.listener);
             advance(band.rows);
-            beyond += beyond_halves(all);
+            beyond += count_beyond_half(all.data);
             return all;
         }));
     if (options.half) say_halves(file_name, beyond, options.listener);
@@ -103,7 +99,7 @@ Status write_picture(const std::string& file_name, const PictureOrigin& origin, 
         words->insert({{"Title", scene.name}, {"Software", fmt::format("nullscope {}", kVersion)}});
         return save_png(file_name, captured.display, *words);
     }
-    if (options.half) say_halves(file_name, beyond_halves(captured.linear), options.listener);
+    if (options.half) say_halves(file_name, count_beyond_half(captured.linear.data), options.listener);
     if (options.half)
         return save_exr_bands(file_name, {captured.linear.width, captured.linear.height, true, std::move(*words)},
                               [&](int) -> Result<Image<float>> { return captured.linear; });

@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kWidth = 760, kHeight = 420, kLeft = 84, kBottom = 56, kTop = 72, kRight = 24;
 
-std::string without_markup(const std::string& words) {
-    std::string safe;
-    for (const char c : words) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return safe;
-}
-
 // 1, 2 or 5 times a power of ten: some six steps in this length.
 double step_of(double length) {
     const double rough = length / 6.0, power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -42,8 +36,8 @@ std::string spectrum_plot(const std::string& title, const std::string& words, co
     const auto x_of = [&](double x) { return kLeft + (x - first) / (last - first) * (kWidth - kLeft - kRight); };
     const auto y_of = [&](double y) { return kHeight - kBottom - y / high * (kHeight - kBottom - kTop); };
     std::string svg(kSvgWhite);
-    svg += svg_text(kLeft, 24, without_markup(title), 15);
-    svg += svg_text(kLeft, 46, without_markup(words), 12);
+    svg += svg_text(kLeft, 24, in_xml(title), 15);
+    svg += svg_text(kLeft, 46, in_xml(words), 12);
     svg += svg_text(kLeft, 64, line_kev ? "photons per keV, of all" : "photons per unit of g, of all", 12);
     const double step_x = step_of(last - first), step_y = step_of(high);
     for (double i = std::ceil(first / step_x - 1e-9); i * step_x <= last + 1e-9 * step_x; i += 1.0) {

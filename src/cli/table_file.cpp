@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "base/atomic_file.h"
+#include "command/svg.h"
 #include "scenefile/picture_scene.h"
 #include "version/version.h"
 
@@ -28,13 +29,6 @@ std::string words_of_target(const OptionTarget& target) {
                 return fmt::format(" {}", *value);
         },
         target);
-}
-
-std::string in_xml(std::string_view text) {
-    std::string out;
-    for (const char c : text)
-        out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
-    return out;
 }
 
 }  // namespace

@@ -15,8 +15,7 @@ namespace nullscope::cli {
 inline std::string curve_plot(const std::string& title, const std::string& x_words,
                               const std::vector<std::array<double, 2>>& points) {
     constexpr double kWidth = 760, kHeight = 340, kLeft = 84, kBottom = 52, kTop = 40, kRight = 20;
-    std::string plain;
-    for (const char c : title) plain += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+    const std::string plain = in_xml(title);
     const auto by_value = [](const auto& a, const auto& b) { return a[1] < b[1]; };
     const auto [least, most] = std::ranges::minmax_element(points, by_value);
     const double low = std::min((*least)[1], 0.0), high = (*most)[1] > low ? (*most)[1] : low + 1;

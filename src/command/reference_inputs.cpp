@@ -12,6 +12,7 @@
 #include "render/renderer.h"
 #include "scene/bodies.h"
 #include "sky/sky.h"
+#include "spacetime/registry.h"
 
 namespace nullscope::cli {
 
@@ -50,7 +51,8 @@ Result<std::unique_ptr<const ReferenceInputs>> load_reference_inputs(const Scene
         take_notes(image->notes);
         inputs->bodies[file] = std::move(image->image);
     }
-    if (std::string word = medium_note(scene); !word.empty()) inputs->notes.push_back(std::move(word));
+    TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+    if (std::string word = medium_note(**spacetime, scene); !word.empty()) inputs->notes.push_back(std::move(word));
     return std::unique_ptr<const ReferenceInputs>(std::move(inputs));
 }
 

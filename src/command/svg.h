@@ -18,6 +18,14 @@ inline std::string svg_document(double width, double height, const std::string& 
         width, height, inside);
 }
 
+// A text that has no markup, as one may stand between tags and in an attribute.
+inline std::string in_xml(std::string_view text) {
+    std::string out;
+    for (const char c : text)
+        out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+    return out;
+}
+
 // anchor: start, middle or end of the words. more: other attributes.
 inline std::string svg_text(double x, double y, std::string_view words, double size, std::string_view anchor = "start",
                             std::string_view more = "") {

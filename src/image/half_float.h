@@ -1,7 +1,10 @@
 // Half floats (IEEE 754 binary16) as bits. Without branches, so that loops over it are vectorised.
 #pragma once
+#include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace nullscope {
 
@@ -22,6 +25,9 @@ inline std::uint32_t small_float(float value, float most) {
 }
 
 inline constexpr float kMostHalf = 65504.0f;
+inline std::size_t count_beyond_half(std::span<const float> light) {
+    return static_cast<std::size_t>(std::ranges::count_if(light, [](float x) { return x > kMostHalf; }));
+}
 inline std::uint32_t half_bits(float light) { return small_float<13>(light, kMostHalf); }
 
 }  // namespace nullscope

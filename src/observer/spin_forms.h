@@ -18,8 +18,8 @@ struct SpinForms {
 };
 SpinForms spin_forms(const SpinPlace& place, const SpinFrame& frame);
 
-// E - a L/(r^2 + a^2) of the photon at the outer horizon, (r_+^2 + a^2)/r_+^2 times: what of its energy does not go round with it. Formed without E and L, which
-// next to the horizon are much larger and all but equal.
+// E - a L/(r^2 + a^2) of the photon at the outer horizon, (r_+^2 + a^2)/r_+^2 times: what of its energy does not go round with
+// it. Formed without E and L, which next to the horizon are much larger and all but equal.
 SpinForm horizon_form(const AxialMetric& metric, const SpinPlace& place, const SpinFrame& frame);
 // Is a camera at r so close to the outer horizon, on either side, that its rays need this form (shaders/mino/near.glsl)?
 bool is_next_to_horizon(const AxialMetric& metric, double r);

@@ -9,7 +9,6 @@
 #include "scene/medium_grid.h"
 #include "spacetime/axial_metric.h"
 #include "spacetime/circular_orbit.h"
-#include "spacetime/registry.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
@@ -80,14 +79,13 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
     return faults;
 }
 
-std::string medium_note(const Scene& scene) {
+std::string medium_note(const Spacetime& spacetime, const Scene& scene) {
     constexpr double kNoCharge = 1e-12;  // of outer inner - a^2, which is Q^2
     if (!scene.medium || scene.medium->kind != MediumKind::kGrid) return "";
-    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     const auto grid = load_medium_grid(scene.medium->file);
-    if (!spacetime || !grid) return "";
-    const auto hole = medium_hole(**spacetime);
-    const bool flat = !(*spacetime)->bends_light(),
+    if (!grid) return "";
+    const auto hole = medium_hole(spacetime);
+    const bool flat = !spacetime.bends_light(),
                charged = hole && std::abs(hole->outer * hole->inner - hole->a * hole->a) > kNoCharge;
     if (!flat && !charged) return "";
     return without_controls(fmt::format("medium.file: the matter of {} is about a hole of spin {}{}; {}",

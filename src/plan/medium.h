@@ -24,7 +24,7 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
 Status check_medium(const Spacetime& spacetime, const Scene& scene);  // the first of them
 
 // Of a medium that is a file's grid: what the file says of its hole and the scene's spacetime does not have, a line for people. Empty: nothing.
-std::string medium_note(const Scene& scene);
+std::string medium_note(const Spacetime& spacetime, const Scene& scene);
 
 // What formulas of matter may ask for: x, y, z, r (r_s), t (r_s/c).
 const std::vector<std::string>& medium_variables();

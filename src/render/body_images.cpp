@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "image/half_float.h"
@@ -22,8 +21,7 @@ Status PictureTexture::update(const std::filesystem::path& wanted, const ImageLi
     if (fitted->reduced())
         notes.push_back(
             reduction_words(wanted, *fitted, fmt::format("textures are limited to {} px here", limits.max_side)));
-    const auto beyond = std::ranges::count_if(fitted->image.data, [](float light) { return light > kMostHalf; });
-    if (beyond > 0)
+    if (const std::size_t beyond = count_beyond_half(fitted->image.data); beyond > 0)
         notes.push_back(fmt::format("'{}': {} numbers above {:g}, the largest half float, are drawn as that",
                                     wanted.string(), beyond, kMostHalf));
     file = wanted, width = fitted->image.width, height = fitted->image.height;

@@ -85,7 +85,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status status = body_images_.update(scene, largest_picture_, notes_); !status) return status;
     if (Status status = warp_.update(scene.camera, info_.max_texture_size); !status) return status;
     if (Status status = medium_.update(scene.medium, info_); !status) return status;
-    if (const std::string word = medium_note(scene); !word.empty() && word != medium_told_)
+    if (const std::string word = medium_note(tables_.matter(), scene); !word.empty() && word != medium_told_)
         notes_.push_back(medium_told_ = word);
     load_table();
     load_heat();

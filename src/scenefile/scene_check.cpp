@@ -242,7 +242,7 @@ Faults check_zoom(const Scene& scene, const World& world) {
     return view ? Faults{} : one(view.error(), "zoom.depth");
 }
 
-// A ball on a path by formulas: whether it is in the hole, whence nothing comes out, at a time that is seen.
+// A ball on a path by formulas: whether it is in the hole, from which nothing comes out, at a time that is seen.
 Faults check_ball_path(const Scene& scene, const World& world, const BallMotionAt& motion, const std::string& key) {
     constexpr double kBent = 60.0;  // r_s/c: as render/ball_paths.cpp, light after ten half turns
     constexpr int kSamples = 2000;

@@ -394,7 +394,9 @@ std::span<const SceneKey> scene_keys() {
 
 KeyRange key_range(std::string_view name) {
     for (const SceneKey& key : scene_keys())
-        if (full_name(key) == name) return key.range;
+        if (name.ends_with(key.key) && name.starts_with(key.section) &&
+            name.size() == key.section.size() + key.key.size() + (key.section.empty() ? 0 : 1))
+            return key.range;
     std::abort();
 }
 

@@ -153,7 +153,7 @@ TEST_CASE("medium grid: a file of another hole, or one that ends before the matt
         const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
         REQUIRE(spacetime);
         const auto faults = medium_faults(**spacetime, scene);
-        note = medium_note(scene);
+        note = medium_note(**spacetime, scene);
         return faults.empty() ? std::string() : faults.front().key + ": " + faults.front().what;
     };
     GridForm still, turning, inside;
