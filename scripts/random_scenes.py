@@ -13,6 +13,8 @@ import math
 import os
 import random
 import re
+import resource
+import signal
 import subprocess
 import sys
 import time
@@ -20,8 +22,9 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-SLOW_S = 60           # of the shader, scaled by what else the machine does
+SLOW_S = 60           # processor seconds of the shader: the clock would blame a scene for what else the machine does
 PATIENCE = 4          # times that for the reference
+DEADLOCK = 60         # times the processor seconds, on the clock: it waits for what never comes
 PICTURE = "32x18"
 NEEDS = re.compile(r'(?:[Nn]eeds|[Ff]or) (\w+) = ((?:"[\w-]+"(?:, | or )?)+)')
 NUMBER = r"-?[\d.]+(?:e[+-]?\d+)?"
@@ -162,8 +165,11 @@ class Judge:
         size = [] if "size" in scene["camera"] else ["--size", PICTURE]
         try:
             done = subprocess.run([self.binary, *words[:1], "now.toml", *words[1:], *(size if words[0] == "capture" else [])], cwd=self.folder,
-                                  capture_output=True, timeout=limit * (1 + os.getloadavg()[0] / os.cpu_count()))
+                                  capture_output=True, timeout=DEADLOCK * limit,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 5)))
         except subprocess.TimeoutExpired:
+            return None, ""
+        if done.returncode == -signal.SIGXCPU:
             return None, ""
         return done.returncode, done.stderr.decode("utf-8", "replace").strip()
 
@@ -176,7 +182,7 @@ class Judge:
         if status == 2 and re.search(r"are of one|is of one", said):
             return []
         if status != 0 or "GL error" in said:
-            return [f"hang: more than {SLOW_S} s" if status is None else f"failed: status {status}, {said}"]
+            return [f"hang: more than {SLOW_S} processor seconds" if status is None else f"failed: status {status}, {said}"]
         got = self.channels()
         if wrong := [f"values: {line}" for line in self.judge.finite(got, "gl")]:
             return wrong
