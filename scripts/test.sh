@@ -98,7 +98,7 @@ targets=$(for label in unit contract gpu golden proof fuzz viewer ${web[@]+"${we
 # shellcheck disable=SC2086
 measured "build: tests" "$root/scripts/build.sh" $targets || failed 1
 [[ ${#web[@]} -eq 0 ]] || measured "web: page" "$root/scripts/web.sh" || failed 1
-[[ $tier == quick ]] || export MESA_SHADER_CACHE_DISABLE=true
+[[ $tier != all ]] || export MESA_SHADER_CACHE_DISABLE=true
 status=0
 NULLSCOPE_TESTS=$tests run_ctest -L '^tier$' -LE '^layering$' || status=$?
 if [[ ${#checks[@]} -gt 0 ]]; then "$root/scripts/check.sh" "${checks[@]}" || status=$?; fi

@@ -4,7 +4,9 @@
 Usage: budget.py TIMES TIER [--budgets FILE] [--wall SECONDS]
 
 TIMES holds the lines of measured.py. The budgets (tests/budget.csv beside this script) are base seconds: processor seconds divided by
-the slowness that was measured beside each entry (machine.py). Wall time depends on what else the machine does and never fails a tier:
+the slowness that was measured beside each entry (machine.py). Where a tier has a budget for the sum, the sum alone fails it: that is what
+continuous integration waits for, and the one figure in which errors of the slowness even out (of one build they are 5 %). A kind over its
+own part is marked, so that one sees what grew. Wall time depends on what else the machine does and never fails a tier:
 with --wall the run's own is held against what continuous integration allows, and a warning says when it took longer than the
 base seconds of its budget should on two cores. Exit status: 0 within, 1 over or nothing measured.
 """
@@ -75,6 +77,7 @@ def main():
     budgets = read_budgets(options.budgets, options.tier)
     total = Cost()
     over = [kind for kind in budgets if kind not in sums and kind != "sum"]
+    parts_fail = "sum" not in budgets
     print(f"\nslowness of this machine: {slow:.2f} (tests/machine.py); base seconds are processor seconds divided by it")
     print(f"{'':<62}{'base s':>8}{'budget':>8}{'core-s':>10}{'wall s':>9} cores")
     for kind in over:
@@ -85,8 +88,8 @@ def main():
             row(f"  {kind}: {label}", cost)
             of_kind = of_kind.plus(cost)
         late = kind in budgets and of_kind.base > budgets[kind]
-        over += [kind] if late else []
-        row(f"{kind}, all", of_kind, budgets.get(kind), "   OVER BUDGET" if late else "")
+        over += [kind] if late and parts_fail else []
+        row(f"{kind}, all", of_kind, budgets.get(kind), "" if not late else "   OVER BUDGET" if parts_fail else "   over its part")
         total = total.plus(of_kind)
     late = "sum" in budgets and total.base > budgets["sum"]
     over += ["sum"] if late else []

@@ -26,7 +26,7 @@ TURNS = 4
 # otherwise run everything.
 MOST_TOUCHED = 100
 UNEVEN = 1.15          # the largest turn over the mean: the limit of a turn is set for the largest
-DEPTH = re.compile(r"\b(by_depth|Selection|on_every_context|tries)\b|\bdepth\(\)|\bQUICK\b")
+DEPTH = re.compile(r"\b(by_depth|costly|Selection|on_every_context|tries)\b|\bdepth\(\)|\bQUICK\b")
 
 
 def number():

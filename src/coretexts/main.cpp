@@ -48,28 +48,36 @@ std::vector<Variant> variants(const std::string& block) {
         if (plane.name != "flat") plane.defines.emplace_back("EFFECT_LENSING");
         all.push_back(plane);
     }
-    for (const int next : {0, 1, 2, 3})  // to the ring, to the horizon
+    for (const bool ring : {false, true})  // next to it
         for (const bool falling : {false, true}) {
-            const bool ring = (next & 2) != 0, near = (next & 1) != 0;
-            all.push_back({ring ? "rotating_ring" : "rotating", always, "mino"});
-            std::vector<std::string>& defines = all.back().defines;
-            defines.emplace_back("NEEDS_FINE_AZIMUTH");
-            if (near) all.back().name += "_near", defines.emplace_back("EFFECT_SPIN_NEAR");
-            if (ring) defines.insert(defines.end(), {"EFFECT_SPIN_RING", "EFFECT_ZOOM"});  // no zoom: it adds 0
-            if (falling) all.back().name += "_falling", defines.emplace_back("EFFECT_SPIN_FALL");
-            all.push_back(all.back());
-            all.back().name += "_delayed";
-            all.back().defines.emplace_back("NEEDS_LIGHT_TIMES");
+            Variant rotating{ring ? "rotating_ring" : "rotating", always, "mino"};
+            rotating.defines.emplace_back("NEEDS_FINE_AZIMUTH");
+            if (ring)
+                rotating.defines.insert(rotating.defines.end(),
+                                        {"EFFECT_SPIN_RING", "EFFECT_ZOOM"});  // no zoom: it adds 0
+            if (falling) rotating.name += "_falling", rotating.defines.emplace_back("EFFECT_SPIN_FALL");
+            all.push_back(rotating);
+            rotating.name += "_delayed";
+            rotating.defines.emplace_back("NEEDS_LIGHT_TIMES");
+            all.push_back(rotating);
         }
+    const auto moving = [](Variant variant) {
+        variant.name += "_moving";
+        variant.defines.emplace_back("EFFECT_ABERRATION");
+        return variant;
+    };
     for (std::size_t i = all.size(); i-- > 0;) {
-        Variant moving = all[i];
-        moving.name += "_moving";
-        moving.defines.emplace_back("EFFECT_ABERRATION");
-        all.push_back(moving);
-        if (all[i].name != "lensed") continue;
-        moving.name = "zoomed_moving";
-        moving.defines.emplace_back("EFFECT_ZOOM");
-        all.push_back(moving);
+        all.push_back(moving(all[i]));
+        if (all[i].path != std::string_view("mino")) {
+            if (all[i].name != "lensed") continue;
+            all.push_back(all.back());
+            all.back().name = "zoomed_moving";
+            all.back().defines.emplace_back("EFFECT_ZOOM");
+        } else if (all[i].name.ends_with("_delayed")) {  // next to the horizon: times and a speed of 0 add nothing
+            all.push_back(all.back());
+            all.back().name = all[i].name.substr(0, all[i].name.rfind('_')) + "_near";
+            all.back().defines.emplace_back("EFFECT_SPIN_NEAR");
+        }
     }
     return all;
 }

@@ -10,7 +10,7 @@
 namespace nullscope::reference {
 namespace {
 
-constexpr double kPanel = 0.08;   // of the length over which matter changes: 1e-4 of the flux
+constexpr double kMatterPanel = 0.08;   // of the length over which matter changes: 1e-4 of the flux
 constexpr int kDeepestStep = 24;  // halvings
 
 // Clumps in the gas: a factor on its density, of mean 1. Octaves of rings of equal ln(rho), which are cones, turned with the height.
@@ -94,7 +94,7 @@ double Medium::panel(const Place& place) const {
                      outside = std::max(place.r - spec_.outer, z - spec_.height);
         double inner = kInner * spec_.outer / spec_.steps;
         // About the centre of flat space the swept angle is of little use.
-        inner = std::min(inner, horizon_ > 0 ? kPanel * (place.r - horizon_) : kNearCentre * place.r);
+        inner = std::min(inner, horizon_ > 0 ? kMatterPanel * (place.r - horizon_) : kNearCentre * place.r);
         return outside > 0 ? std::max(outside, kEdge * spec_.outer)
                            : std::min(inner, std::max(off, kEdge * spec_.outer));
     }
@@ -107,12 +107,12 @@ double Medium::panel(const Place& place) const {
             {kGasPanel * spec_.thickness * std::max(rho, spec_.inner), spec_.inner - rho, rho - spec_.outer, off});
     }
     double scale = std::min({spec_.radius, place.r, std::max(place.r - horizon_, kMediumAboveHorizon)});
-    if (place.r > farthest_) scale = std::max(scale, (place.r - farthest_) / kPanel);
+    if (place.r > farthest_) scale = std::max(scale, (place.r - farthest_) / kMatterPanel);
     if (spec_.flattening > 0) {
         const double thick = 1 / std::max(spec_.flattening, 1.0), off = std::abs(place.direction.z);
-        scale = std::min(scale, place.r * std::max(thick, (off - kFlowScales * thick) / kPanel));
+        scale = std::min(scale, place.r * std::max(thick, (off - kFlowScales * thick) / kMatterPanel));
     }
-    return kPanel * scale;
+    return kMatterPanel * scale;
 }
 
 Medium::Look Medium::look(double along, const Way& way) const {

@@ -30,20 +30,22 @@ struct Variant {
 };
 #define VARIANT(name) Variant { name::trace_one, name::trace_list }   // NOLINT: of a namespace
 
-// Falling, delayed, moving.
+// Delayed, moving.
 #define VARIANTS(name)                                                                                                   \
-    {{{VARIANT(name), VARIANT(name##_moving)}, {VARIANT(name##_delayed), VARIANT(name##_delayed_moving)}},              \
-     {{VARIANT(name##_falling), VARIANT(name##_falling_moving)},                                                        \
-      {VARIANT(name##_falling_delayed), VARIANT(name##_falling_delayed_moving)}}}
+    {{VARIANT(name), VARIANT(name##_moving)}, {VARIANT(name##_delayed), VARIANT(name##_delayed_moving)}}
 
 const Variant& dispatch(const CoreInput& input) {
-    static constexpr Variant kRotating[2][2][2][2][2] = {   // next to the ring, next to the horizon
-        {VARIANTS(rotating), VARIANTS(rotating_near)}, {VARIANTS(rotating_ring), VARIANTS(rotating_ring_near)}};
+    static constexpr Variant kRotating[2][2][2][2] = {   // next to the ring, falling
+        {VARIANTS(rotating), VARIANTS(rotating_falling)}, {VARIANTS(rotating_ring), VARIANTS(rotating_ring_falling)}};
+    // Next to the horizon: delayed and moving; without either these add 0.
+    static constexpr Variant kNear[2][2] = {{VARIANT(rotating_near), VARIANT(rotating_falling_near)},
+                                            {VARIANT(rotating_ring_near), VARIANT(rotating_ring_falling_near)}};
     static constexpr Variant kPlane[3][2] = {{VARIANT(flat), VARIANT(flat_moving)},
                                              {VARIANT(lensed), VARIANT(lensed_moving)},
                                              {VARIANT(cubic), VARIANT(cubic_moving)}};
     static constexpr Variant kZoomed = VARIANT(zoomed_moving);
-    if (input.spin) return kRotating[input.spin_ring][input.spin_near][input.spin_fall][input.spin_delay][input.aberration];
+    if (input.spin && input.spin_near) return kNear[input.spin_ring][input.spin_fall];
+    if (input.spin) return kRotating[input.spin_ring][input.spin_fall][input.spin_delay][input.aberration];
     if (input.zoom) return kZoomed;
     return kPlane[!input.lensing ? 0 : input.cubic ? 2 : 1][input.aberration];
 }

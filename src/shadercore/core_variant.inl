@@ -13,7 +13,8 @@ RayPixel pixel_of(const CoreInput& input, const PixelData& data) {
     pixel.fate = static_cast<Fate>(static_cast<int>(data.fate));
     pixel.sky = {data.sky.x, data.sky.y, data.sky.z};
     pixel.g = data.g;
-    pixel.delay = input.delay.data != nullptr || !input.lensing ? data.delay : 0.0;
+    const bool timed = input.spin ? input.spin_delay : input.delay.data != nullptr || !input.lensing;
+    pixel.delay = timed ? data.delay : 0.0;
     pixel.angle = data.angle;
     pixel.order = static_cast<int>(std::floor(pixel.angle / M_PI));
     pixel.hit = static_cast<int>(data.hit);

@@ -16,6 +16,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import depth
+from depth import costly  # noqa: F401  for the tests
 from dice import dice  # noqa: F401  for the tests
 
 BINARY = str(Path(sys.argv.pop(1)).resolve())

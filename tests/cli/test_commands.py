@@ -61,6 +61,7 @@ class Commands(support.CliTest):
         self.assertIn("nullscope-viewer", alone)
         self.assertEqual(self.run_nullscope("help", "bench", "frames").out, self.run_nullscope("bench", "frames", "--help").out)
 
+    @support.costly
     def test_names_of_a_sequence(self):
         for pattern, name in (("a%05d.png", "a00002.png"), ("b%d.png", "b2.png"), ("c%03d.png", "c002.png"), ("d##.png", "d02.png")):
             self.run_nullscope("capture", "flat", "--size", "4x2", "--frames", "2:3", "--time", "-5", "-o", pattern)
@@ -75,6 +76,7 @@ class Commands(support.CliTest):
 
     TABLES = ("deflection table", "strip", "ray ends", "orbit table", "light-time table", "star lens", "ball paths", "black body", "disc flow", "medium grid")
 
+    @support.costly
     def test_scenes_are_listed_and_planned(self):
         lines = self.run_nullscope("scenes").out.splitlines()
         self.assertGreaterEqual(len(lines), 3)
@@ -90,6 +92,7 @@ class Commands(support.CliTest):
             for effect in plan["effects"]:
                 self.assertEqual({table for table in self.TABLES if table in effect["cost"]} - there, set(), (name, effect["effect"]))
 
+    @support.costly
     def test_plan_measures_what_each_effect_takes(self):
         scene = self.write("seen.toml", '[camera]\nsize = [320, 180]\n[spacetime]\nmetric = "ellis"\n[picture]\nbloom = 0.1\n')
         effects = json.loads(self.run_nullscope("plan", scene, "--measure", "--frames", "3", "--json").out)["effects"]
@@ -104,6 +107,7 @@ class Commands(support.CliTest):
             self.assertEqual(text.count(" core-s ("), len(measured))
         self.assertNotIn("core_seconds", self.run_nullscope("plan", scene, "--json").out)
 
+    @support.costly
     def test_a_path_is_drawn_frame_by_frame_and_as_a_film(self):
         fall = ["capture", "plunge", "--size", "32x18"]
         self.run_nullscope(*fall, "-o", "p%05d.png", "--frames", "198:201")
@@ -170,6 +174,7 @@ class Commands(support.CliTest):
         for row in rows:
             self.assertGreater(row["empty_core_seconds"], 0)
 
+    @support.costly
     def test_bench_times_a_scene_in_a_place_that_flat_space_has_not(self):
         self.run_nullscope("bench", "frames", "in-the-throat", "--size", support.SMALL, "--frames", "9", "--json", "m.json")
         (row,) = json.loads((self.folder / "m.json").read_text())
@@ -312,6 +317,7 @@ class Commands(support.CliTest):
         self.run_nullscope("capture", "first-light", *options, "-o", "r.png")
         self.assertEqual(png_size((self.folder / "r.png").read_bytes()), (16, 9))
 
+    @support.costly
     def test_light_curves_of_both_renderers_have_all_that_shines(self):
         """Images on discs and bodies, stars, and the sky behind a wormhole."""
         moving = '[[ball]]\nradius = 1\nposition = [0, 4, 0]\nbrightness = 2\ntexture = "image"\nimage = "white.png"\n'
@@ -331,6 +337,7 @@ class Commands(support.CliTest):
                 sums[renderer] = sum(float(line.split(",")[1]) for line in lines[1:3])
             self.assertAlmostEqual(sums["gl"] / sums["reference"], 1, delta=0.05, msg=name)
 
+    @support.costly
     def test_contexts_give_one_picture(self):
         kinds = self.contexts()
         pictures, rays = [], []
@@ -345,6 +352,7 @@ class Commands(support.CliTest):
         if len(kinds) < 2:
             self.skipTest(f"only {kinds} here")
 
+    @support.costly
     def test_two_spacetimes_beside_each_other(self):
         pictures = {}
         for name, other in (("same", "flat"), ("again", "flat"), ("other", "wormhole")):
@@ -365,6 +373,7 @@ class Commands(support.CliTest):
         self.assertEqual(pictures[1], pictures[2])
         self.assertNotEqual(pictures[0], pictures[1])
 
+    @support.costly
     def test_a_scene_asks_for_a_split_screen(self):
         text = '[camera]\nr = 8\n[split]\nmetric = "{}"\n'
         pictures = []
@@ -380,6 +389,7 @@ class Commands(support.CliTest):
             broken = self.write("broken.toml", text.format("reissner-nordstrom") + line + "\n")
             self.refused("capture", broken, says=["broken.toml:5", *says])
 
+    @support.costly
     def test_bench_metrics_has_every_spacetime(self):
         self.run_nullscope("bench", "metrics", "flat", "--size", support.SMALL, "--frames", "9", "--json", "metrics.json")
         rows = json.loads((self.folder / "metrics.json").read_text())
@@ -397,6 +407,7 @@ class Commands(support.CliTest):
         broken = self.write("broken.tsv", "flat, sky\n")
         self.refused("bench", "hard", "--only", "flat, sky", "--reference", broken, says=["broken.tsv:1"])
 
+    @support.costly
     def test_bench_pictures_judges_what_is_displayed(self):
         self.run_nullscope("bench", "pictures", "luminet", "--size", "480x270", "--pixels", "200", "--samples", "8", "--json", "p.json")
         (row,) = json.loads((self.folder / "p.json").read_text())

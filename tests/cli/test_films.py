@@ -108,6 +108,7 @@ class Films(FilmTest):
             self.assertEqual(self.film("film.mp4")[frame]["time"], when, "a whole picture was drawn again")
         self.assertFalse((self.folder / "film.mp4.frames").exists())
 
+    @support.costly
     def test_a_changed_film_is_drawn_anew(self):
         changes = {"camera.r": (SCENE.replace("r = 9", "r = 8"), SIZE, MOVING), "camera.size": (SCENE, ("--size", "18x10"), MOVING),
                    "--time-step": (SCENE, SIZE, ("--time-step", "0.5", *MOVING[2:])),

@@ -191,6 +191,7 @@ class ImageFiles(support.CliTest):
         self.write("icc.png", png(64, 32, lambda x, y: (code,) * 3, chunks=[(b"iCCP", body)]))
         self.grey_is("icc.png", linear(code / 65535), ("iCCP", "Wide"))
 
+    @support.costly
     def test_orientation(self):
         """Of a picture that is bright in its upper left quarter, stored in every way."""
         def at(orientation, x, y):   # of the stored picture, 64 x 32 or 32 x 64: the place in the one that is seen
@@ -273,6 +274,7 @@ class ImageFiles(support.CliTest):
         self.write("whole.exr", tiled_exr(64, 32, lambda x, y: 3, kind=0))
         self.grey_is("whole.exr", 3.0)
 
+    @support.costly
     def test_codes_of_a_png_of_few_bits(self):
         """A grey of 1, 2, 4 bits, of a palette, with a colour that is clear, interlaced."""
         def few(bits, kind, code, chunks=(), interlaced=0):

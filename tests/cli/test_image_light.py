@@ -156,6 +156,7 @@ class ImageLight(support.CliTest):
             self.assertEqual("details are lost" in reason, lost, reason)
         self.assertIn("7823 px", reason)
 
+    @support.costly
     def test_images_on_bodies_and_discs(self):
         for value in (1.03, 0.0123, 333.3):
             self.write("g.exr", plain_exr(33, 17, grey(value)))   # odd sides

@@ -26,6 +26,7 @@ class Layers(support.CliTest):
             for x, number in enumerate(row):
                 self.assertTrue(5 < depth[y][x] < 40 if number else depth[y][x] == 0, (x, y, depth[y][x]))
 
+    @support.costly
     def test_matter_has_a_layer_and_a_depth(self):
         got = self.channels("soft-disc", "--size", support.SMALL, "--layers", "-o", "m.exr")
         for channel in "RGB":
@@ -43,6 +44,7 @@ class Layers(support.CliTest):
                 shown += number == 9
         self.assertGreater(shown, 300)
 
+    @support.costly
     def test_light_without_delay(self):
         """A ball that moves is where the picture has it, in ray data, layers and motion vectors; the same numbers as a ball at rest there."""
         text = ('[camera]\nr = 30\ntheta = 60\n[sky]\nkind = "black"\n[light]\ndelay = "off"\n'
@@ -92,6 +94,7 @@ class Layers(support.CliTest):
         self.assertAlmostEqual(got["forward.u"][18][32], -32 * 3 ** 0.5 * 3.14159265 / 180, delta=0.01)
         self.assertAlmostEqual(got["forward.v"][18][32], 0, delta=0.01)
 
+    @support.costly
     def test_motion_of_what_changes_its_shape(self):
         """A pulsating sphere moves along its radii; where the places of a surface with t go is not known."""
         view = '[spacetime]\nmetric = "minkowski"\n[camera]\nr = 20\ntheta = 90\nfov = 60\n[sky]\nkind = "black"\n[light]\ndelay = "off"\n'

@@ -143,6 +143,7 @@ class Matrix(support.CliTest):
             wrong += self.beside(row, place, picture, exact)
         return wrong, seen
 
+    @support.costly
     def test_rows(self):
         random = support.dice("matrix")
         rows = KNOWN + covering_rows(random)[:ROWS]
@@ -157,6 +158,7 @@ class Matrix(support.CliTest):
         self.assertEqual(failures, [], "\n" + "\n".join(failures))
         self.assertLessEqual(len(unseen), max(1, 0.05 * len(rows)), unseen)
 
+    @support.costly
     def test_every_pair_is_in_a_row(self):
         random = support.dice("pairs")
         rows = covering_rows(random)
@@ -178,6 +180,7 @@ class Matrix(support.CliTest):
                     wrong.append(f"{chosen}: {got}")
         self.assertEqual(wrong, [], "\n".join(wrong))
 
+    @support.costly
     def test_random_scenes_are_drawn(self):
         """scripts/random_scenes.py makes scenes, settles what they rule out, and judges them."""
         seed, count = ("13", "2") if not support.depth.EVERYTHING else (str(support.dice("scenes").randrange(10 ** 6)), "50")
@@ -185,6 +188,7 @@ class Matrix(support.CliTest):
                                "--seed", seed, "--folder", self.folder / "scenes"], capture_output=True, text=True, timeout=support.LONGEST_S)
         self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (0, f"{count} scenes, 0 with something wrong"), done.stdout + done.stderr)
 
+    @support.costly
     def test_the_judge_sees(self):
         """A switch that is ignored, a thing that is left out, a layer that is missing."""
         place, few = (11.0, 70.0, 10.0, 7.0), 2 if support.QUICK else None

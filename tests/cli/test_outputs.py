@@ -76,6 +76,7 @@ class Outputs(support.CliTest):
                 for x, value in enumerate(row):
                     self.assertAlmostEqual(value, sum(got[f"{layer}.{channel}"][y][x] for layer in LAYERS), delta=1e-5 * max(1, value))
 
+    @support.costly
     def test_every_pair(self):
         self.plain = {}
         self.write("scene.toml", SCENE)

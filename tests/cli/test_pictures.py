@@ -117,6 +117,7 @@ class Pictures(support.CliTest):
         self.assertEqual((self.folder / "f1.jpg").read_bytes()[:2], b"\xff\xd8")
         self.refused("capture", scene, "--size", "64x64", "-o", "f%d.jpg", "--frames", "0:2", "--resume", "--plain", says=["--plain"])
 
+    @support.costly
     def test_a_jpeg_is_the_png_in_a_small_file(self):
         for name in ("a.jpg", "a.jpeg", "a.png"):
             self.run_nullscope("capture", "first-light", "--size", "%dx%d" % SIZE, "-o", name)
@@ -142,6 +143,7 @@ class Pictures(support.CliTest):
         for words, says in ((("--half",), "a.exr: 288 numbers above 65504, the largest half float, are written as that\n"), ((), ""), (("--half", "--quiet"), "")):
             self.assertEqual(self.run_nullscope("capture", scene, "--size", "16x9", *words, "-o", "a.exr").said(), says)
 
+    @support.costly
     def test_light_of_any_brightness_is_shown(self):
         """With bloom and automatic exposure too, which work on light before its exposure: of 1e-7 and 5e5 as of 1. A sky of one colour."""
         for picture in ("bloom = 0.0", "bloom = 0.3", 'auto_exposure = "on"'):

@@ -168,6 +168,7 @@ class Provenance(support.CliTest):
         head = self.capture("grid-torus", "a.png", *SIZE)["nullscope.grid_head"]
         self.assertTrue(head.startswith("nullscope-medium 1\ncoordinates "), head)
 
+    @support.costly
     def test_options_are_told_apart(self):
         pairs = {
             "nullscope.scene_text": [(("kerr",), ("kerr", "--time", "3")), (("kerr",), ("kerr", "--samples", "2"))],
@@ -195,6 +196,7 @@ class Provenance(support.CliTest):
         self.assertEqual(ran.said(), "")
         self.assertEqual(data, (self.folder / ("again" + Path(name).suffix)).read_bytes(), f"{name}\n{texts_of(self.folder / name)}")
 
+    @support.costly
     def test_a_picture_is_drawn_again_from_itself(self):
         self.write("sky.png", png_of((200, 80, 0)))
         sky = self.write("scene.toml", SKY % "sky.png")
@@ -221,6 +223,7 @@ class Provenance(support.CliTest):
         picture = read_png(self.folder / "b.png")
         self.assertEqual((picture.width, picture.height), (40, 20))
 
+    @support.costly
     def test_frames_are_drawn_again(self):
         rows = ["frame,r,theta,phi"] + [f"{10 * k},{20 - k},{70 + 3 * k},{7 * k}" for k in range(4)]
         self.write("camera.csv", "\n".join(rows) + "\n")
@@ -256,6 +259,7 @@ class Provenance(support.CliTest):
         self.assertRegex(ran.err, 'out/a.png: "out/sky.png" is not the file that the picture was drawn from')
         self.assertEqual(ran.err.count("\n"), 1)
 
+    @support.costly
     def test_every_command_opens_a_picture(self):
         for kind in KINDS:
             name = f"a.{kind}"
@@ -264,6 +268,7 @@ class Provenance(support.CliTest):
             self.assertEqual(self.run_nullscope("plan", name).out, self.run_nullscope("plan", text).out)
             self.assertIn('name = "First light"', self.run_nullscope("scenes", name).out)
 
+    @support.costly
     def test_what_holds_no_scene_is_refused(self):
         self.write("plain.png", png_of((1, 2, 3)))
         self.refused("capture", "plain.png", "-o", "b.png", says=["plain.png", "holds no scene"])

@@ -136,6 +136,7 @@ class Stereo(support.CliTest):
         self.refused("plan", self.write("scene.toml", scene('r = 10\nsize = [64, 64]\nprojection = "cube"')),
                      says=("scene.toml:", "camera.size", "[192, 128]"))
 
+    @support.costly
     def test_faces_of_a_cube(self):
         camera = 'r = 10\nyaw = 20\npitch = 10\nsize = [192, 128]\nprojection = "cube"'
         path = self.write("scene.toml", scene(camera))

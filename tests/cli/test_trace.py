@@ -97,6 +97,7 @@ class TraceTest(support.CliTest):
 
 
 class Reference(TraceTest):
+    @support.costly
     def test_vectors(self):
         text = (support.VECTORS / "schwarzschild.csv").read_text().replace(",phi_a,", ",at_angle,")
         given = read_csv(text)
@@ -129,6 +130,7 @@ class Reference(TraceTest):
             swept = number(row["phi_inf"]) - number(row["phi"]) if row["fate"] == "escaped" else 0
             self.assertGreaterEqual(swept * (-1 if row["note"] == "scaled" else 1), 0)
 
+    @support.costly
     def test_shift_of_the_discs_matter(self):
         rays = "r,theta,phi,n_r,n_theta,n_phi\n10,1.3,0,-1,0.15,0.3\n10,1.3,0,-1,0.1,-0.6\n10,1.3,0,-1,-0.4,0.15\n"
         for a in (0.0, 0.45):   # r_s
@@ -248,6 +250,7 @@ class ShaderText(TraceTest):
     def test_vectors(self):
         self.judge_vectors(HOLE)
 
+    @support.costly
     def test_vectors_of_the_extremal_hole(self):
         self.judge_vectors(EXTREMAL)
 
@@ -298,6 +301,7 @@ class ShaderText(TraceTest):
             if exact[r]:
                 yield "crossing", abs(1 / number(row[r]) - 1 / number(exact[r])) / slope
 
+    @support.costly
     def test_random_rays(self):
         text, turned, step = self.random_rays(90 if support.QUICK else 400)
         reference = self.trace(text, "--crossings", "2")
@@ -327,6 +331,7 @@ class ShaderText(TraceTest):
                         self.assertAlmostEqual(number(row[phi]), number(exact[phi]), delta=AZIMUTH_RAD, msg=name)
             self.report(f"{tracer}: random rays: " + ", ".join(f"{k} {v:.3g}" for k, v in worst.items()))
 
+    @support.costly
     def test_a_rays_answer_is_its_own(self):
         """Rays of one list share tables and draws: each is what it is alone, to the bit."""
         dice = random.Random(64)
@@ -393,6 +398,7 @@ class ShaderText(TraceTest):
                         slope = max(1.0, abs(there - place) / step)
                         self.assertLessEqual(abs(1 / number(row[f"r_{k}"]) - place) / slope, SCREEN_RAD[tracer], name)
 
+    @support.costly
     def test_disc_stops_rays(self):
         text, _, _ = self.random_rays(100 if support.QUICK else 200)
         scene = self.write("disc.toml", "[disc]\ninner = 3\nouter = 12\n")
@@ -487,6 +493,7 @@ class ShaderText(TraceTest):
         self.write("q.csv", "q,zeta0,s\n0.5,0.1,1\n")
         self.refused("trace", scene, "--rays", "q.csv", says=["q", "rotating"])
 
+    @support.costly
     def test_azimuths_next_to_a_spinning_horizon(self):
         """They wind up there: what is left is the error of the radius over the distance from the horizon."""
         chance = support.dice()
@@ -513,6 +520,7 @@ class ShaderText(TraceTest):
                 self.report(f"a = {spin}, {tracer}: {near} crossings within a tenth of the horizon, phi within {worst:.2g} of its bound")
                 self.assertLess(worst, 1.0)
 
+    @support.costly
     def test_bench_rays_judges_every_tracer(self):
         self.contexts()
         out = str(self.folder / "rays.json")

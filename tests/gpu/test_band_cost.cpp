@@ -44,7 +44,7 @@ test::PairedCost cost_of_bands(int pairs, bool refined, int rows) {
     return cost;
 }
 
-TEST_CASE("bands: a picture in bands costs little more than the whole") {
+TEST_CASE("bands: a picture in bands costs little more than the whole" * test::costly()) {
     const int pairs = test::by_depth(5, 11, 21);
     for (const bool refined : {false, true})
         for (const auto& [rows, bound] : {std::pair{viewer::kFirstRows, kMost}, {viewer::kBlockRows, kMostSmall}})

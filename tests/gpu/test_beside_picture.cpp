@@ -201,7 +201,8 @@ void check_beside(GpuSession& session, const Scene& scene, bool bodies_alone) {
 
 }  // namespace
 
-TEST_CASE("beside the picture: ray data and layers are of it, and change nothing, whatever of light is switched off") {
+TEST_CASE("beside the picture: ray data and layers are of it, and change nothing, whatever of light is switched off" *
+          test::costly()) {
     on_one_context([](GpuSession& session) {
         const int step = by_depth(7, 2, 1);  // at quick depth of all, and odd: each switch with some things
         int number = 0;
@@ -275,7 +276,7 @@ void check_motion(GpuSession& session, const char* name, int width) {
 
 }  // namespace
 
-TEST_CASE("motion vectors lead to where the reference sees the same in the next picture") {
+TEST_CASE("motion vectors lead to where the reference sees the same in the next picture" * test::costly()) {
     on_one_context([](GpuSession& session) {
         check_motion(session, "kerr", 160);
         if (depth() == Depth::kQuick) return;

@@ -77,7 +77,7 @@ const std::vector<Case>& cases() {
     return all;
 }
 
-TEST_CASE("bodies: hits, places and fates are the reference's at every pixel") {
+TEST_CASE("bodies: hits, places and fates are the reference's at every pixel" * test::costly()) {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
         Selection selection(3);
@@ -127,7 +127,7 @@ int lit_beside_bodies(GpuSession& session, Scene& scene) {
 }
 
 // Soft edges are half a pixel wide, and pixels are wide here: what one body's formula is far from it must not count for another's distance.
-TEST_CASE("bodies: two kinds side by side shed no light beside them") {
+TEST_CASE("bodies: two kinds side by side shed no light beside them" * test::costly()) {
     const std::vector<std::pair<const char*, void (*)(Scene&)>> bodies = {
         {"sphere", [](Scene& s) { add_body<SphereSpec>(s); }},
         {"cylinder", [](Scene& s) { add_body<CylinderSpec>(s); }},
@@ -157,7 +157,7 @@ TEST_CASE("bodies: two kinds side by side shed no light beside them") {
 
 // The rounding of the camera's distance is far above a body's size: from there all is as from 1e5 r_s, but for what that is nearer. Moving
 // bodies are looked at when light of the same time arrives.
-TEST_CASE("bodies: from far away hits and places are those from nearer") {
+TEST_CASE("bodies: from far away hits and places are those from nearer" * test::costly()) {
     struct Far {
         const char *name, *metrics;
         std::function<void(Scene&)> add;

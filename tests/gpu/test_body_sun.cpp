@@ -35,7 +35,7 @@ Scene lit(const std::string& metric) {
     return scene;
 }
 
-TEST_CASE("body sun: the light of bodies lit by a far sun is the reference's") {
+TEST_CASE("body sun: the light of bodies lit by a far sun is the reference's" * test::costly()) {
     constexpr double kLight = 2e-3;  // of colours up to 1: in flat coordinates a float's place
     constexpr double kEdges = 0.12;  // of the lit pixels: rims are covered in part, in the reference's one ray not
     for (const char* metric : {"schwarzschild", "kerr", "minkowski"}) {

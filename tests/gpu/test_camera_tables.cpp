@@ -53,7 +53,8 @@ void compare(const CoreInput& between, const CoreInput& built, const CameraSpec&
         }
 }
 
-TEST_CASE("camera tables: a camera that moves along the radius sees what one sees that was always there") {
+TEST_CASE("camera tables: a camera that moves along the radius sees what one sees that was always there" *
+          test::costly()) {
     test::Selection selection(5);  // prime to the six radii
     for (const char* metric : {"schwarzschild", "reissner-nordstrom"})
         for (const double r : {2.1, 3.0, 6.0, 12.0, 40.0, 1000.0}) {

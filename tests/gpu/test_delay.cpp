@@ -84,7 +84,7 @@ test::PairedCost cost_of_delay(const std::string& name, int pairs) {
 
 }  // namespace
 
-TEST_CASE("light time: what the light-time table costs of the frame that needs it") {
+TEST_CASE("light time: what the light-time table costs of the frame that needs it" * test::costly()) {
     constexpr double kMost = 0.15;  // issue: "at most 15 % of the frame that needs it"
     const int pairs = test::by_depth(21, 61, 61);
     const double most = 1 / (1 - kMost);

@@ -86,7 +86,8 @@ void measure(GpuSession& session, Scene scene, std::mt19937& random, Worst& wors
     }
 }
 
-TEST_CASE("disc gas: the shader's is the reference's, at rest and moving, with and without delay and rotation") {
+TEST_CASE("disc gas: the shader's is the reference's, at rest and moving, with and without delay and rotation" *
+          test::costly()) {
     const SpacetimeSpec metrics[] = {
         {"schwarzschild", {}}, {"kerr", {{"spin", 0.9}}}, {"reissner-nordstrom", {{"charge", 0.7}}}};
     on_one_context([&](GpuSession& session) {

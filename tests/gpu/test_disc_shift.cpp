@@ -32,7 +32,8 @@ Scene bolometric_scene(double r, double theta_deg) {
     return scene;
 }
 
-TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part of it or aberration left out") {
+TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part of it or aberration left out" *
+          test::costly()) {
     constexpr double kTolerance = 1e-5;  // what the project promises
     on_one_context([&](GpuSession& session) {
         double worst = 0;
@@ -108,7 +109,8 @@ TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part
 }
 
 // The picture with a temperature of the sky over the one without it, against what the reference makes of the same g.
-TEST_CASE("sky: its light changes as a black body's by g, the same all over it or by direction, whole and in part") {
+TEST_CASE("sky: its light changes as a black body's by g, the same all over it or by direction, whole and in part" *
+          test::costly()) {
     // The table of black bodies 2e-5, half floats of the sky's texture not at all: both have them.
     constexpr double kTolerance = 1e-3;
     on_one_context([&](GpuSession& session) {

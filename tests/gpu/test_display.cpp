@@ -32,7 +32,7 @@ Scene bright_scene() {
     return scene;
 }
 
-TEST_CASE("display: tone curves, bloom and automatic exposure are those of the host") {
+TEST_CASE("display: tone curves, bloom and automatic exposure are those of the host" * test::costly()) {
     on_every_context([&](GpuSession& session) {
         Selection selection(5);  // each tone curve, bloom and exposure in both states
         for (const ToneCurve tone : {ToneCurve::kShoulder, ToneCurve::kFilm, ToneCurve::kNeutral})
@@ -96,7 +96,7 @@ TEST_CASE("display: dithering moves a value by at most a step, keeps means and l
     });
 }
 
-TEST_CASE("display: exposure adapts by the share it is told and starts at once") {
+TEST_CASE("display: exposure adapts by the share it is told and starts at once" * test::costly()) {
     on_every_context([&](GpuSession& session) {
         Scene scene = bright_scene();
         scene.picture.auto_exposure = true;
@@ -122,7 +122,7 @@ TEST_CASE("display: exposure adapts by the share it is told and starts at once")
 
 }  // namespace
 
-TEST_CASE("display: pictures of a few pixels, down to one") {
+TEST_CASE("display: pictures of a few pixels, down to one" * test::costly()) {
     constexpr std::pair<int, int> kSizes[] = {{1, 1}, {2, 1}, {1, 2}, {3, 5}, {16, 16}};
     // What draws in more than one pass, or about a point: every shipped scene where all is asked for; at quick depth one
     // of each set of these, by each kind of light path.

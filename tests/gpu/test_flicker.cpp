@@ -30,7 +30,7 @@ struct Flicker {
     }
 };
 
-TEST_CASE("flicker: edges and rings of a slow pan flicker at most twice as much as the reference's") {
+TEST_CASE("flicker: edges and rings of a slow pan flicker at most twice as much as the reference's" * test::costly()) {
     constexpr double kMost = 2.0, kShare = 0.99;  // of the pixels that flicker most
     constexpr double kStep = 16.0;                // of 255: one ray of 4 x 4
     auto scene = load_scene("first-light");

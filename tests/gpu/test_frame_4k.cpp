@@ -56,16 +56,16 @@ const int kTurnedRowStep = by_depth(241, 45, 3);  // the edge and its rings once
 // Views without the shadow's edge or its rings have no place for an error to hide in.
 const int kSmoothRowStep = by_depth(181, 40, 8);
 
-TEST_CASE("4K: cameras that look at the hole") {
+TEST_CASE("4K: cameras that look at the hole" * test::costly()) {
     for (const double r : {1.1, 1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 0, kEveryRow);
 }
 
-TEST_CASE("4K: cameras turned by 60 degrees") {
+TEST_CASE("4K: cameras turned by 60 degrees" * test::costly()) {
     for (const double r : {1.1, 1.5, 2.0, 5.0}) check_camera(r, 60, kTurnedRowStep);
     for (const double r : {20.0, 1000.0}) check_camera(r, 60, kSmoothRowStep);  // the hole is out of sight
 }
 
-TEST_CASE("4K: cameras that look away from the hole") {
+TEST_CASE("4K: cameras that look away from the hole" * test::costly()) {
     check_camera(1.1, 180, kEveryRow);  // the edge is ahead
     for (const double r : {1.5, 2.0, 5.0, 20.0, 1000.0}) check_camera(r, 180, kSmoothRowStep);
 }

@@ -39,7 +39,7 @@ TEST_CASE("kerr: the shadow of an equatorial observer far away, to 0.02 px of a 
     });
 }
 
-TEST_CASE("kerr: frames near and far are the reference's, disc and all") {
+TEST_CASE("kerr: frames near and far are the reference's, disc and all" * test::costly()) {
     struct View {
         double spin, r, theta, yaw, fov;
         Vec3 velocity;

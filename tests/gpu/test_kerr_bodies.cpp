@@ -96,7 +96,7 @@ const std::vector<KerrBodiesCase>& kerr_bodies_cases() {
     return all;
 }
 
-TEST_CASE("kerr bodies: hits, places and fates are the reference's at every pixel") {
+TEST_CASE("kerr bodies: hits, places and fates are the reference's at every pixel" * test::costly()) {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
         Selection selection(4);

@@ -26,7 +26,7 @@ double edge(const Escapes& escapes, double inside, double outside) {
     return inside;
 }
 
-TEST_CASE("kerr edge: rays further than a microradian from it end as the reference's") {
+TEST_CASE("kerr edge: rays further than a microradian from it end as the reference's" * test::costly()) {
     constexpr double kInDouble = 1e-6;  // rad: what is promised
     constexpr double kInFloat = 8e-6;   // what rounding of the ray's constants makes of it next to the greatest spin
     constexpr int kMostSteps = 64, kWidth = 1920, kHeight = 1080;

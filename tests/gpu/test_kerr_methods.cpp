@@ -41,7 +41,8 @@ struct Fall {
 
 TEST_CASE(
     "kerr methods: a shorter step lowers the errors by the order's power, and none of the default's rays reaches the "
-    "cap") {
+    "cap" *
+    test::costly()) {
     // 2^4 = 16 where fourth order alone is at work, 15.0 measured; third would give 8. 0.7^-6 = 8.5 of sixth, 7.4 measured in the median, fifth would
     // give 5.9; half the step meets float's rounding, as the 99.9th percentile does on the way, which falls 5.3 times.
     const Fall falls[] = {{"mino:4:0.6", "mino:4:0.3", far_view, 12, 12},

@@ -39,7 +39,8 @@ RayMeasures near_measures(GpuSession& session, const Scene& scene) {
     return measure_rays(gl_ray_data(session, scene), scene.camera, reference_trace(scene), 1, kRefine_px);
 }
 
-TEST_CASE("kerr near: fast and slow cameras next to the horizon are the reference's to 0.02 px of 4K") {
+TEST_CASE("kerr near: fast and slow cameras next to the horizon are the reference's to 0.02 px of 4K" *
+          test::costly()) {
     // docs/accuracy.md, "Cameras next to a rotating horizon".
     const NearView views[] = {{0.9, 0, 1.02},
                               {0.9995, 0, 1.02},
@@ -80,7 +81,8 @@ TEST_CASE("kerr near: fast and slow cameras next to the horizon are the referenc
     });
 }
 
-TEST_CASE("kerr near: the disc that such a camera sees, falling cameras, and where the effect begins") {
+TEST_CASE("kerr near: the disc that such a camera sees, falling cameras, and where the effect begins" *
+          test::costly()) {
     on_one_context([&](GpuSession& session) {
         constexpr double kFiner4K = 3840.0 / kNearWidth, kPlace_px = 0.1;  // 56 without the effect
         Scene disc = near_scene({0.9995, 0, 1.02, {0, 0, 0.99}, 90});

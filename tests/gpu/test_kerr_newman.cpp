@@ -66,7 +66,8 @@ TEST_CASE(
     });
 }
 
-TEST_CASE("kerr-newman: frames with disc, bodies, light times and falling cameras are the reference's") {
+TEST_CASE("kerr-newman: frames with disc, bodies, light times and falling cameras are the reference's" *
+          test::costly()) {
     struct View {
         const char* name;
         void (*set)(Scene&);

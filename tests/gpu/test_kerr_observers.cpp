@@ -36,7 +36,7 @@ Scene scene_of(const View& view, bool disc) {
     return scene;
 }
 
-TEST_CASE("kerr observers: every one's frame is the reference's, outside, on and inside the horizon") {
+TEST_CASE("kerr observers: every one's frame is the reference's, outside, on and inside the horizon" * test::costly()) {
     using enum ObserverKind;
     const double outer = *(*make_spacetime("kerr", {{"spin", 0.9}}))->horizon_radius();
     const View views[] = {{kStatic, 0.9, 3, 1.3, 0.3, 1.6},

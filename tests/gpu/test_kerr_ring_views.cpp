@@ -131,7 +131,7 @@ Aimed next_aimed(std::mt19937_64& random) {
     }
 }
 
-TEST_CASE("kerr ring: narrow views next to the shadow, by every observer, down to 1e-4 degrees") {
+TEST_CASE("kerr ring: narrow views next to the shadow, by every observer, down to 1e-4 degrees" * test::costly()) {
     std::mt19937_64 random(24);
     auto session = open_gpu("egl");
     REQUIRE(session);
@@ -149,7 +149,7 @@ TEST_CASE("kerr ring: narrow views next to the shadow, by every observer, down t
     most.check();
 }
 
-TEST_CASE("kerr ring: zooms are the reference's as deep as its digits go") {
+TEST_CASE("kerr ring: zooms are the reference's as deep as its digits go" * test::costly()) {
     std::mt19937_64 random(25);
     auto session = open_gpu("egl");
     REQUIRE(session);

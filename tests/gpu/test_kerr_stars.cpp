@@ -112,7 +112,8 @@ const Both& both_of_view(std::size_t i) {
     return *known[i];
 }
 
-TEST_CASE("kerr point stars: every image worth a thousandth of its star is the reference's, place, area and g") {
+TEST_CASE("kerr point stars: every image worth a thousandth of its star is the reference's, place, area and g" *
+          test::costly()) {
     const std::vector<KerrStarsView> all = views();
     const std::size_t measured = by_depth(std::size_t{1}, all.size(), all.size());
     for (std::size_t v = 0; v < measured; ++v) {
@@ -262,7 +263,8 @@ TEST_CASE(
     });
 }
 
-TEST_CASE("kerr point stars: next to no spin they are those of a hole without, which a lens in one dimension places") {
+TEST_CASE("kerr point stars: next to no spin they are those of a hole without, which a lens in one dimension places" *
+          test::costly()) {
     // Of the light, pixel by pixel: images within a tenth of a pixel of the ring, and beside the shadow.
     constexpr double kMean = 0.01;
     on_one_context([&](GpuSession& session) {
@@ -300,7 +302,7 @@ Scene all_stars() {
     return scene;
 }
 
-TEST_CASE("kerr point stars: the whole catalogue's images, the same every time") {
+TEST_CASE("kerr point stars: the whole catalogue's images, the same every time" * test::costly()) {
     const Scene scene = all_stars();
     const auto stars = point_stars(scene.sky, assets_directory());
     REQUIRE(stars);
@@ -325,7 +327,8 @@ TEST_CASE("kerr point stars: the whole catalogue's images, the same every time")
 
 // What a camera in flight shows of a new view until the whole search has ended.
 TEST_CASE(
-    "kerr point stars: a quick search takes a fifth of the time and finds nearly all, and a search can be given up") {
+    "kerr point stars: a quick search takes a fifth of the time and finds nearly all, and a search can be given up" *
+    test::costly()) {
     const Scene scene = all_stars();
     const auto stars = point_stars(scene.sky, assets_directory());
     REQUIRE(stars);

@@ -167,7 +167,8 @@ void measure(GpuSession& session, const DrawnLaw& law, const LimbDarkeningView& 
     }
 }
 
-TEST_CASE("limb darkening: cosine and light are the reference's, at rest and moving, whole and with a part left out") {
+TEST_CASE("limb darkening: cosine and light are the reference's, at rest and moving, whole and with a part left out" *
+          test::costly()) {
     const SpacetimeSpec schwarzschild{"schwarzschild", {}}, kerr{"kerr", {{"spin", 0.9}}};
     const Vec3 rest{0, 0, 0}, moving{0.2, 0.3, -0.1};
     std::vector<LimbDarkeningView> views;

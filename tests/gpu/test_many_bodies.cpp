@@ -63,7 +63,8 @@ TEST_CASE("many bodies: sixty-four balls of every motion, each pixel as the refe
     });
 }
 
-TEST_CASE("many bodies: several of every kind, of one texture and of others, about holes and in a wormhole") {
+TEST_CASE("many bodies: several of every kind, of one texture and of others, about holes and in a wormhole" *
+          test::costly()) {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
         for (const char* metric : {"schwarzschild", "kerr", "ellis"}) {
@@ -97,7 +98,7 @@ TEST_CASE("many bodies: several of every kind, of one texture and of others, abo
 }
 
 // Light that has come this far out cannot have left the near one yet: it was taken to be nowhere, and steps to be free.
-TEST_CASE("many bodies: a ball before the hole and one far behind it, each on its orbit") {
+TEST_CASE("many bodies: a ball before the hole and one far behind it, each on its orbit" * test::costly()) {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
         for (const char* metric : {"schwarzschild", "kerr"}) {

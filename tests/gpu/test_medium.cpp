@@ -46,7 +46,7 @@ double flux_Jy(const Image<float>& picture) {
 
 }  // namespace
 
-TEST_CASE("medium: the five test fluxes of the Event Horizon Telescope's comparison of codes") {
+TEST_CASE("medium: the five test fluxes of the Event Horizon Telescope's comparison of codes" * test::costly()) {
     constexpr double kPublished = 0.02;  // codes differ by -0.5 to 2.4 %
     constexpr double kFlux = 1e-3, kPixel = 5e-3;
     on_every_context([&](GpuSession& session) {
@@ -96,7 +96,7 @@ TEST_CASE("medium: a flux does not depend on what is for the eye") {
     });
 }
 
-TEST_CASE("medium: a smooth soft disc is the reference's") {
+TEST_CASE("medium: a smooth soft disc is the reference's" * test::costly()) {
     // Steps of half a scale height along the plane, by which 0.017 of the brightest is off in flat space, where light runs within the plane. A
     // fifth of the step: 1/25 of it, and what the reference's own steps leave.
     constexpr double kFlux = 0.003, kPixel = 0.025, kFineFlux = 1.5e-4, kFinePixel = 1e-3;
@@ -125,7 +125,7 @@ TEST_CASE("medium: a smooth soft disc is the reference's") {
     });
 }
 
-TEST_CASE("medium: clumps go round with the gas, seen where they were when their light left") {
+TEST_CASE("medium: clumps go round with the gas, seen where they were when their light left" * test::costly()) {
     constexpr double kPixel = 0.05, kMost = 0.02;  // of the brightest, for all but this part of the pixels
     const int part = by_depth(2, 1, 1);
     on_every_context([&](GpuSession& session) {
@@ -152,7 +152,7 @@ TEST_CASE("medium: clumps go round with the gas, seen where they were when their
     });
 }
 
-TEST_CASE("medium: before and behind a translucent disc and a ball") {
+TEST_CASE("medium: before and behind a translucent disc and a ball" * test::costly()) {
     constexpr double kPixel = 0.02, kMost = 0.06;  // edges are covered in part here, and not in the reference
     on_every_context([&](GpuSession& session) {
         for (const char* metric : {"schwarzschild", "kerr"}) {

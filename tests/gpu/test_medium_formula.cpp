@@ -101,7 +101,7 @@ TEST_CASE("medium: closed forms of a thin sphere, a thick one and a slab") {
     });
 }
 
-TEST_CASE("medium: what one electron emits and how many there are may both have no room in a float") {
+TEST_CASE("medium: what one electron emits and how many there are may both have no room in a float" * test::costly()) {
     constexpr double kFlux = 1e-3;
     struct Case {
         const char *density, *temperature, *field;
@@ -174,7 +174,7 @@ TEST_CASE("medium: from far away a thin sphere is its closed form, and holes dim
     });
 }
 
-TEST_CASE("medium: matter by formula about holes is the reference's") {
+TEST_CASE("medium: matter by formula about holes is the reference's" * test::costly()) {
     constexpr double kFlux = 1e-3, kPixel = 5e-3;
     struct Case {
         const char *name, *metric;
@@ -255,7 +255,8 @@ TEST_CASE("medium: matter by formula about holes is the reference's") {
     });
 }
 
-TEST_CASE("medium: pixels with more rays about a rotating hole end within what a software driver runs") {
+TEST_CASE("medium: pixels with more rays about a rotating hole end within what a software driver runs" *
+          test::costly()) {
     // llvmpipe ends a shader after 65535 rounds of all its loops: rays next to the critical one were cut off, and dark.
     constexpr double kLeast = 0.25;  // of the light of one ray, which on a ring thinner than a pixel is twice the mean
     on_every_context([&](GpuSession& session) {

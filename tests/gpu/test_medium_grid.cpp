@@ -37,7 +37,7 @@ GridForm form_of(const char* coordinates, double spin) {
 
 }  // namespace
 
-TEST_CASE("medium grid: matter of a file about holes is the reference's") {
+TEST_CASE("medium grid: matter of a file about holes is the reference's" * test::costly()) {
     constexpr double kFlux = 1e-3, kPixel = 5e-3;
     // Two arms that fall in, in a field that is wound up; and a spot in flat space's coordinates, warm at one side.
     const auto arms = [](double r, double theta, double phi) {

@@ -69,7 +69,7 @@ TEST_CASE("medium within: uniform emission between the camera and the edge of a 
     });
 }
 
-TEST_CASE("medium within: a soft disc is the reference's") {
+TEST_CASE("medium within: a soft disc is the reference's" * test::costly()) {
     // Steps of up to 0.4 of an optical depth are too bright by 2 %; half of them leave a third of it. Samples that followed the matter span by
     // span alone were off by up to 18 % of the flux and 29 % of the brightest.
     constexpr double kFlux = 0.03, kPixel = 0.12, kFineFlux = 0.008, kFinePixel = 0.03;
@@ -88,7 +88,7 @@ TEST_CASE("medium within: a soft disc is the reference's") {
     });
 }
 
-TEST_CASE("medium within: every other kind is the reference's") {
+TEST_CASE("medium within: every other kind is the reference's" * test::costly()) {
     constexpr double kFlux = 8e-3, kPixel = 0.02;
     on_every_context([&](GpuSession& session) {
         Selection selection(4);

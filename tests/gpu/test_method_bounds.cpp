@@ -27,7 +27,7 @@ Scene camera_at(double r, double yaw) {
     return scene;
 }
 
-TEST_CASE("method bounds: each stays within its screen error and none has a fate error") {
+TEST_CASE("method bounds: each stays within its screen error and none has a fate error" * test::costly()) {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
         for (const auto& [r, yaw] : {std::pair{15.0, 0.0}, {3.0, 0.6}, {1.2, M_PI}}) {

@@ -48,7 +48,8 @@ double worst_error(GpuSession& session, const Scene& scene, const ExactTrace& tr
 }
 
 TEST_CASE(
-    "methods: auto keeps what it promises, for many cameras and 1, 0.1 and 0.02 px, with and without the default") {
+    "methods: auto keeps what it promises, for many cameras and 1, 0.1 and 0.02 px, with and without the default" *
+    test::costly()) {
     const auto measured = load_frontier(assets_directory() / "frontier.csv");
     REQUIRE(measured);
     std::vector<MeasuredMethod> others;  // so that the choice is not always the same

@@ -126,7 +126,7 @@ std::vector<Scene> full_scenes() {
     return scenes;
 }
 
-TEST_CASE("an effect that is off has no texture, and gives it back when it goes off") {
+TEST_CASE("an effect that is off has no texture, and gives it back when it goes off" * test::costly()) {
     on_one_context([](GpuSession& session) {
         EffectSet seen, gone;  // at quick depth each goes off once
         for (const Scene& full : full_scenes()) {
@@ -167,7 +167,7 @@ Names planned_sizes(const FrameTables& tables) {
     return lines;
 }
 
-TEST_CASE("a plan names each texture that a picture has, its bytes and what calls for it") {
+TEST_CASE("a plan names each texture that a picture has, its bytes and what calls for it" * test::costly()) {
     on_one_context([](GpuSession& session) {
         Renderer& renderer = *session.renderer;
         for (const Scene& scene : full_scenes()) {
@@ -217,7 +217,7 @@ test::PairedCost over_lone_sky(GpuSession& session, Scene scene, bool& same) {
 
 // lone_sky.frag is the shader of scene sky-only as a build would have it that never knew any other effect, written out once and kept.
 // Where the sky's own code changes it is written anew (nullscope capture sky-only --dump-shader, with a look at what came in).
-TEST_CASE("a sky alone costs what it costs where there is nothing else") {
+TEST_CASE("a sky alone costs what it costs where there is nothing else" * test::costly()) {
     static constexpr double kMost = 1.03;  // issue: "ratio at most 1.03 in one run"
     on_one_context([](GpuSession& first) {
         Scene sky;

@@ -21,7 +21,7 @@ long long different(const Image<T>& whole, const Image<T>& band, int top) {
     return std::inner_product(band.data.begin(), band.data.end(), first, 0LL, std::plus<>(), std::not_equal_to<>());
 }
 
-TEST_CASE("picture bands: a picture in parts is the picture at once, bit by bit") {
+TEST_CASE("picture bands: a picture in parts is the picture at once, bit by bit" * test::costly()) {
     struct Case {
         const char* scene;
         Projection projection;

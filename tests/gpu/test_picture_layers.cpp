@@ -24,7 +24,7 @@ double worst_off(const Image<float>& a, const Image<float>& b) {
     return most;
 }
 
-TEST_CASE("picture layers: they add up to the picture, shares to one") {
+TEST_CASE("picture layers: they add up to the picture, shares to one" * test::costly()) {
     constexpr const char* kScenes[] = {"first-light", "gargantua",  "swarm",    "starlight",
                                        "kerr-planet", "hot-spot",   "zoom",     "neutron-star",
                                        "soft-disc",   "grid-torus", "hot-flow", "m87-synchrotron"};
@@ -76,7 +76,8 @@ Scene with_cloud(Scene scene, MediumEmission emission) {
     return scene;
 }
 
-TEST_CASE("picture layers: matter is hit where its light comes from, and has the depth of what stands there") {
+TEST_CASE("picture layers: matter is hit where its light comes from, and has the depth of what stands there" *
+          test::costly()) {
     constexpr double kRadius = 0.4, kPlace = 0.05, kDepth = 0.06;  // r_s: the cloud is 0.16 wide
     on_one_context([&](GpuSession& session) {
         session.renderer->want_delays(true);

@@ -55,7 +55,8 @@ void plunge_judge(const RayFrame& gl_before, const RayFrame& gl, const RayFrame&
 // as fast as the pixel.
 constexpr double kPlungeJump = 4e-5;  // measured 1e-5
 
-TEST_CASE("plunge: from 3 r_s to 0.01 r_s no ray jumps by more than the reference's, and none has another fate") {
+TEST_CASE("plunge: from 3 r_s to 0.01 r_s no ray jumps by more than the reference's, and none has another fate" *
+          test::costly()) {
     on_one_context([](GpuSession& session) {
         const int steps = by_depth(400, 2000, 2000);
         for (const bool disc : {false, true}) {

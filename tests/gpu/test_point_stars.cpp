@@ -40,7 +40,7 @@ double light_about(const Image<float>& picture, double x, double y, int reach) {
     return sum;
 }
 
-TEST_CASE("point stars: the light of 200 images is the reference's by the Jacobian of its rays") {
+TEST_CASE("point stars: the light of 200 images is the reference's by the Jacobian of its rays" * test::costly()) {
     constexpr double kTolerance = 0.01;  // what the project promises; reached: see the line printed
     constexpr int kReach = 5;
     const int kImages = by_depth(100, 200, 200);
@@ -124,7 +124,7 @@ double sky_light(Renderer& renderer, Scene scene) {
     return sum;
 }
 
-TEST_CASE("point stars: of a million stars all over the sky a hole leaves g^4 (1 - shadow/4 pi)") {
+TEST_CASE("point stars: of a million stars all over the sky a hole leaves g^4 (1 - shadow/4 pi)" * test::costly()) {
     constexpr double kTolerance = 0.005;
     on_one_context([&](GpuSession& session) {
         Scene scene = star_scene(50.0, 1000000, 2.0, 512, 512, 90 * kPointStarsDegree);

@@ -101,7 +101,7 @@ struct Place {
     bool disc;
 };
 
-TEST_CASE("projections: rays are the reference's about every kind of hole") {
+TEST_CASE("projections: rays are the reference's about every kind of hole" * test::costly()) {
     constexpr double kMost_px =
         0.05;  // of 2048 px across: a pixel spans as much as in the middle of 1080p over two radians
     using enum ObserverKind;

@@ -58,7 +58,7 @@ double affine_depth(const Scene& scene, double x, double y, const reference::Tra
            mean(400, [&](double part) { return std::pow(plane->radius_at(along * part), 2); });
 }
 
-TEST_CASE("ray depth: the affine parameter to discs and bodies is the reference's") {
+TEST_CASE("ray depth: the affine parameter to discs and bodies is the reference's" * test::costly()) {
     constexpr const char* kScenes[] = {"first-light", "gargantua", "kerr",    "passing-ball", "kerr-planet",
                                        "accretion",   "plunge",    "luminet", "hot-spot",     "kerr-newman"};
     on_one_context([&](GpuSession& session) {

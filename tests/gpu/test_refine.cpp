@@ -30,7 +30,7 @@ Image<unsigned char> drawn(Renderer& renderer, Scene scene, bool refine, int sam
     return renderer.picture8();
 }
 
-TEST_CASE("refine: edges are those of 16 x 16 rays a pixel of the reference") {
+TEST_CASE("refine: edges are those of 16 x 16 rays a pixel of the reference" * test::costly()) {
     constexpr double kMean = 2.0, kThousandth = 24.0;
     const Scene scene = sized("first-light", 960, 540);
     test::Places places;  // a tenth of a million
@@ -49,7 +49,7 @@ TEST_CASE("refine: edges are those of 16 x 16 rays a pixel of the reference") {
     });
 }
 
-TEST_CASE("refine: the same in tiles and in bands, and nothing changes where there is no edge") {
+TEST_CASE("refine: the same in tiles and in bands, and nothing changes where there is no edge" * test::costly()) {
     test::Selection selection(2);
     for (const char* name : {"first-light", "earth", "kerr", "accretion"}) {
         if (!selection.takes_next()) continue;

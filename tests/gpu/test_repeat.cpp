@@ -71,7 +71,8 @@ void check_close(const Drawn& a, const Drawn& b) {
 }
 
 // A new renderer a frame: one that has drawn other scenes may keep a finer sky than this one calls for.
-TEST_CASE("repeat: the same bits from draw to draw and renderer to renderer, EGL and OSMesa to one float rounding") {
+TEST_CASE("repeat: the same bits from draw to draw and renderer to renderer, EGL and OSMesa to one float rounding" *
+          test::costly()) {
     Selection selection(2);
     for (const std::string& name : kScenes) {
         if (!selection.takes_next()) continue;
@@ -92,7 +93,7 @@ TEST_CASE("repeat: the same bits from draw to draw and renderer to renderer, EGL
     }
 }
 
-TEST_CASE("repeat: a picture does not depend on what was drawn before it") {
+TEST_CASE("repeat: a picture does not depend on what was drawn before it" * test::costly()) {
     on_all_contexts([](GpuSession& session) {
         const Scene scene = small("sky-only");
         Scene large = scene;

@@ -37,7 +37,7 @@ Image<float> ring_drawn(Renderer& renderer, Scene scene, bool refine, int sample
 
 double light_of(const Image<float>& picture) { return std::accumulate(picture.data.begin(), picture.data.end(), 0.0); }
 
-TEST_CASE("ring: images of the disc of first and of second order have their light") {
+TEST_CASE("ring: images of the disc of first and of second order have their light" * test::costly()) {
     constexpr double kLight = 0.01;  // of all of it
     test::on_one_context([&](test::GpuSession& session) {
         test::Selection selection(5);  // the first image at rest, the second at the largest spin
@@ -96,7 +96,7 @@ double least_along(const std::vector<double>& light) {
     return least;
 }
 
-TEST_CASE("ring: no gap along the second image") {
+TEST_CASE("ring: no gap along the second image" * test::costly()) {
     constexpr double kLeast = 0.5;  // of the median of the neighbours: less is seen as a gap
     constexpr int kPlaces = 240;    // some 4 px of the ring each
     test::on_one_context([&](test::GpuSession& session) {

@@ -53,7 +53,7 @@ TEST_CASE("ring view: rays on the GPU are those of the shader core, at rest and 
     });
 }
 
-TEST_CASE("ring view: every pixel of a picture is a number, however deep") {
+TEST_CASE("ring view: every pixel of a picture is a number, however deep" * test::costly()) {
     on_one_context([](GpuSession& session) {
         for (double depth = 4; depth < by_depth(8.0, 30.0, 60.0); depth += by_depth(3.0, 2.0, 0.1)) {
             Scene scene = zoom_of("accretion", depth, 0.0);
@@ -115,7 +115,7 @@ PairedCost cost_of_depth(int pairs, int rows) {
     return cost;
 }
 
-TEST_CASE("ring view: depth costs nothing") {
+TEST_CASE("ring view: depth costs nothing" * test::costly()) {
     constexpr double kMost = 1.2;
     const int pairs = by_depth(9, 15, 21);
     CHECK(within(kMost, [&] { return cost_of_depth(pairs, 180); }).low <= kMost);

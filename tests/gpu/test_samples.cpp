@@ -32,7 +32,7 @@ Image<unsigned char> drawn(Renderer& renderer, Scene scene, int samples) {
     return renderer.picture8();
 }
 
-TEST_CASE("samples: 4 x 4 rays a pixel are the reference's picture, one is not") {
+TEST_CASE("samples: 4 x 4 rays a pixel are the reference's picture, one is not" * test::costly()) {
     constexpr double kMean = 0.5, kThousandth = 32.0;  // measured 0.34 and 23
     const Scene scene = small("first-light", 240, 135);
     const auto sky = build_sky(scene.sky, assets_directory(), 2048);
@@ -53,7 +53,8 @@ TEST_CASE("samples: 4 x 4 rays a pixel are the reference's picture, one is not")
     });
 }
 
-TEST_CASE("samples: the same in tiles, in bands and for a rotating hole, one ray is the picture without") {
+TEST_CASE("samples: the same in tiles, in bands and for a rotating hole, one ray is the picture without" *
+          test::costly()) {
     test::Selection selection(2);
     for (const char* name : {"first-light", "earth", "kerr", "accretion"}) {
         if (!selection.takes_next()) continue;

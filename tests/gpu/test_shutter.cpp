@@ -82,7 +82,7 @@ TEST_CASE("shutter: 16 sub-frames are within a hundredth of 256") {
     });
 }
 
-TEST_CASE("shutter: the mean is displayed as a picture's own light") {
+TEST_CASE("shutter: the mean is displayed as a picture's own light" * test::costly()) {
     const std::string eye[] = {"", "bloom = 0.3\n", "auto_exposure = \"on\"\ndither = \"on\"\n",
                                "bloom = 0.1\nauto_exposure = \"on\"\ntone = \"film\"\n", "samples = 2\n"};
     on_one_context([&](GpuSession& session) {

@@ -57,7 +57,7 @@ double light(const Image<float>& picture) {
     return sum;
 }
 
-TEST_CASE("thin bodies: as much light as the reference's") {
+TEST_CASE("thin bodies: as much light as the reference's" * test::costly()) {
     std::map<std::string, double> exact_light;
     on_every_context([&](GpuSession& session) {
         Selection selection(3);

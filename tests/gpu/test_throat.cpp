@@ -54,7 +54,8 @@ double largest_change(const Shot& a, const Shot& b, int& judged) {
     return worst;
 }
 
-TEST_CASE("flight through the throat: rays go on changing as the way does, with both skies and no seam at l = 0") {
+TEST_CASE("flight through the throat: rays go on changing as the way does, with both skies and no seam at l = 0" *
+          test::costly()) {
     const std::vector<double> way = {4e-3, 3e-3, 2e-3, 1e-3, 1e-6, 1e-9, 0.0, -1e-9, -1e-6, -1e-3, -2e-3, -3e-3, -4e-3};
     const std::vector<std::pair<std::string, std::map<std::string, double>>> holes = {
         {"ellis", {}},

@@ -85,7 +85,7 @@ void compare(Renderer& renderer, const Scene& scene, Tiles drawn, FrameDifferenc
             }
 }
 
-TEST_CASE("tiles: a picture in tiles is the picture") {
+TEST_CASE("tiles: a picture in tiles is the picture" * test::costly()) {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
     const int poses = test::by_depth(1, 8, 24);
@@ -119,7 +119,7 @@ TEST_CASE("tiles: a picture in tiles is the picture") {
     CHECK(scenes >= test::by_depth(5, 16, 16));
 }
 
-TEST_CASE("tiles: thin, small and edge-on discs are not missed") {
+TEST_CASE("tiles: thin, small and edge-on discs are not missed" * test::costly()) {
     struct View {
         double r, theta, fov, inner, outer;
     };
@@ -156,7 +156,7 @@ TEST_CASE("tiles: thin, small and edge-on discs are not missed") {
         }
 }
 
-TEST_CASE("tiles: programs are built ahead, and used once all of them are there") {
+TEST_CASE("tiles: programs are built ahead, and used once all of them are there" * test::costly()) {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
     Renderer& renderer = *session->renderer;
@@ -203,7 +203,7 @@ std::pair<RayFrame, int> with_interpolated(Renderer& renderer) {
 constexpr double kInterpolated_px = 0.01;
 constexpr float kInterpolatedLight = 0.02f;  // of a picture: a star's point of light moves by as much
 
-TEST_CASE("tiles: interpolated rays are those that are traced") {
+TEST_CASE("tiles: interpolated rays are those that are traced" * test::costly()) {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
     Renderer& renderer = *session->renderer;
@@ -275,7 +275,7 @@ test::PairedCost cost_of_tiles(int pairs) {
         "in tiles and at once", pairs, [&] { draw(Tiles::kTraced); }, [&] { draw(Tiles::kNone); });
 }
 
-TEST_CASE("tiles: a body in a part of the picture costs that part") {
+TEST_CASE("tiles: a body in a part of the picture costs that part" * test::costly()) {
     constexpr double kMost = 0.75;  // two images of a ball, in less than a quarter of the picture: 0.54 measured
     const int pairs = test::by_depth(9, 21, 21);
     CHECK(test::within(kMost, [&] { return cost_of_tiles(pairs); }).low <= kMost);
@@ -313,7 +313,7 @@ test::PairedCost cost_over(const char* what, const Scene& first, const Scene& se
         what, pairs, [&] { draw(a); }, [&] { draw(b); });
 }
 
-TEST_CASE("tiles: of many balls a pixel asks those of its tile") {
+TEST_CASE("tiles: of many balls a pixel asks those of its tile" * test::costly()) {
     constexpr double kMost = 24;  // 14 to 17 measured; 43 to 68 where every pixel asks for all of them
     const auto cost = [](Tiles most) {
         const int pairs = most == Tiles::kNone ? 1 : test::by_depth(5, 9, 9);
@@ -334,7 +334,7 @@ Scene in_flat_space(Scene scene) {
     return scene;
 }
 
-TEST_CASE("tiles: what a disc costs over the sky alone, and a rotating hole's sky over flat space") {
+TEST_CASE("tiles: what a disc costs over the sky alone, and a rotating hole's sky over flat space" * test::costly()) {
     const int pairs = test::by_depth(9, 21, 21);
     const Scene image = sized("first-light", 960, 540), kerr = of_sky_alone(sized("kerr", 960, 540));
     Scene pattern = image;

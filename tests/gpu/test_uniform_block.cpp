@@ -93,7 +93,8 @@ TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
     });
 }
 
-TEST_CASE("uniform block: without an effect its members are gone and the others close up, for every combination") {
+TEST_CASE("uniform block: without an effect its members are gone and the others close up, for every combination" *
+          test::costly()) {
     const auto members = frame_members();
     on_one_context([&](GpuSession&) {
         for (unsigned bits = 0; bits <= kEverything;

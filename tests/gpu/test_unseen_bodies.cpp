@@ -38,7 +38,7 @@ Scene with(Scene scene, BodyShape shape, double time) {
 
 }  // namespace
 
-TEST_CASE("unseen: bodies next to a horizon are the reference's") {
+TEST_CASE("unseen: bodies next to a horizon are the reference's" * test::costly()) {
     constexpr double kFlux =
         0.06;  // edges are covered in part here, and not in the reference: a third of the pixels of small images
     constexpr double kFate = 0.006;  // of the pixels, whose light is another by half of it

@@ -98,7 +98,7 @@ Scene scene_of(const char* name, Projection projection, int width, int height) {
     return std::move(*scene);
 }
 
-TEST_CASE("warp: a mesh of identity is no mesh, bit by bit; with half the light half of it is left") {
+TEST_CASE("warp: a mesh of identity is no mesh, bit by bit; with half the light half of it is left" * test::costly()) {
     const TemporaryFolder folder("warp");
     on_one_context([&](GpuSession& session) {
         Selection selection(2);
@@ -145,7 +145,8 @@ TEST_CASE("warp: a mesh of identity is no mesh, bit by bit; with half the light 
     });
 }
 
-TEST_CASE("warp: rays are the reference's about every kind of hole, and pictures in parts are the picture at once") {
+TEST_CASE("warp: rays are the reference's about every kind of hole, and pictures in parts are the picture at once" *
+          test::costly()) {
     constexpr double kMost_px = 0.05;  // of 2048 px across, as without a mesh (test_projections.cpp)
     const TemporaryFolder folder("warp");
     const auto file = folder.path / "bent.data";
@@ -205,7 +206,7 @@ TEST_CASE("warp: rays are the reference's about every kind of hole, and pictures
     });
 }
 
-TEST_CASE("warp: point stars are where the mesh has them, and as bright as their pixels are wide") {
+TEST_CASE("warp: point stars are where the mesh has them, and as bright as their pixels are wide" * test::costly()) {
     constexpr double kPeak = 0.05;   // of the brightest pixel: no others are compared
     constexpr double kLight = 0.02;  // the driver's half floats and the cut tails of point spreads
     constexpr double kBeside =

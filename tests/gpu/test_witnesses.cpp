@@ -35,7 +35,7 @@ void add_pixel(Steps& steps, const Verdict& verdict) {
     steps.driver.push_back(static_cast<float>(verdict.driver_px));
 }
 
-TEST_CASE("witnesses: table, float and driver errors each stay within their own bound") {
+TEST_CASE("witnesses: table, float and driver errors each stay within their own bound" * test::costly()) {
     on_every_context([](GpuSession& session) {
         Selection selection(2);
         for (const std::string name :

@@ -8,10 +8,10 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parents[1]
 
 
-def budget(folder, times, *words):
+def budget(folder, times, *words, tier="quick"):
     (folder / "times.tsv").write_text(times)
-    (folder / "budget.csv").write_text("tier,kind,core_seconds\nquick,test,10\nquick,sum,15\n")
-    return subprocess.run([sys.executable, "-B", TESTS / "budget.py", folder / "times.tsv", "quick", "--budgets", folder / "budget.csv", *words],
+    (folder / "budget.csv").write_text("tier,kind,core_seconds\nquick,test,10\nturn,test,10\nturn,sum,15\n")
+    return subprocess.run([sys.executable, "-B", TESTS / "budget.py", folder / "times.tsv", tier, "--budgets", folder / "budget.csv", *words],
                           capture_output=True, text=True)
 
 
@@ -23,7 +23,9 @@ def main():
         assert within.returncode == 0 and "gpu" in within.stdout and "WARNING" not in within.stdout, within
         over = budget(folder, "whole: gpu, others\t8.0\t9.0\t2.0\ncli: films\t6.5\t1.0\t1.0\n")
         assert over.returncode == 1 and "OVER BUDGET" in over.stdout and "10.5" in over.stdout, over
-        over = budget(folder, tests + "check: tidy\t12\t9\t2\n")   # 4 + 5.5 + 6: each kind within, the sum not
+        part = budget(folder, "whole: gpu, others\t8.0\t9.0\t2.0\ncli: films\t6.5\t1.0\t1.0\n", tier="turn")   # of a turn the sum decides
+        assert part.returncode == 0 and "over its part" in part.stdout, part
+        over = budget(folder, tests + "check: tidy\t12\t9\t2\n", tier="turn")   # 4 + 5.5 + 6: each kind within, the sum not
         assert over.returncode == 1 and "15.5" in over.stdout and over.stdout.count("OVER BUDGET") == 1, over
         slow = budget(folder, tests, "--wall", "100")   # the clock warns and does not fail
         assert slow.returncode == 0 and "WARNING" in slow.stdout and "2 % of the 5400 s" in slow.stdout, slow

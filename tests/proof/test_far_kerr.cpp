@@ -189,7 +189,8 @@ void judge(double spin, const KerrStart& start, const KerrRay& ray, Worst& all) 
 
 }  // namespace
 
-TEST_CASE("far kerr: no fate is wrong, and directions, crossings and times are what is stated, from 500 to 5e8 r_s") {
+TEST_CASE("far kerr: no fate is wrong, and directions, crossings and times are what is stated, from 500 to 5e8 r_s" *
+          test::costly()) {
     Random random(seed());
     const int rays = test::by_depth(kRays / kPart, kRays, kRays);
     for (const double spin : kSpins)
@@ -228,7 +229,7 @@ reference::KerrPhoton photon_of(double spin, const KerrStart& start) {
             {p_t + across / delta * p_r, p_r, -y / std::sqrt(sigma), around + sine * a / delta * p_r}};
 }
 
-TEST_CASE("far kerr: a view direction off by 1e-12 r_s of impact parameter is found") {
+TEST_CASE("far kerr: a view direction off by 1e-12 r_s of impact parameter is found" * test::costly()) {
     constexpr double kPlanted = 1e-12;
     Random random(seed());
     for (const double r : kRadii)

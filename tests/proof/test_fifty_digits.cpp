@@ -132,7 +132,7 @@ void check_all(const std::vector<Case>& cases) {
     for (const auto& [kind, ratio] : worst) fmt::print("{}: largest error {:.2f} of its bound\n", kind, ratio);
 }
 
-TEST_CASE("fifty digits: rays next to the critical one") {
+TEST_CASE("fifty digits: rays next to the critical one" * test::costly()) {
     std::vector<Case> cases;
     const int step = times_longer() > 1 ? 1 : 2;
     for (const double zeta0 : {1e-9, 0.1, 0.6, 0.9})
@@ -184,7 +184,7 @@ TEST_CASE("fifty digits: raindrop frame, outside, at and inside the horizon") {
     check_all(cases);
 }
 
-TEST_CASE("fifty digits: from far away") {
+TEST_CASE("fifty digits: from far away" * test::costly()) {
     std::vector<Case> cases;
     for (const double zeta0 : {1e-9, 1e-6, 1e-3})
         for (const double q : {1e-3, 0.2, 0.38, 0.39, 1.0, 1e3, 1e9})
@@ -207,7 +207,7 @@ TEST_CASE("fifty digits: transverse and nearly radial") {
 }
 
 // In metrics without a closed form; angles, with Q/M and the view direction as exact numbers.
-TEST_CASE("fifty digits: charges, camera next to the photon sphere") {
+TEST_CASE("fifty digits: charges, camera next to the photon sphere" * test::costly()) {
     for (const double charge : {0.5, 0.99, 1.001, 1.06, std::sqrt(1.125), 1.1}) {
         Scene scene;
         scene.spacetime = {"reissner-nordstrom", {{"charge", charge}}};

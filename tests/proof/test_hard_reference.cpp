@@ -156,7 +156,7 @@ Judged judge_pixel(const Scene& scene, int x, int y, const Scene& traced) {
     return worst;
 }
 
-TEST_CASE("hard cases: the reference agrees with the second formulation") {
+TEST_CASE("hard cases: the reference agrees with the second formulation" * test::costly()) {
     std::string lines;
     Judged most;
     int rays = 0;

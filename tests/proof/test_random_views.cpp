@@ -61,7 +61,7 @@ Reproduction reproduce(FrameTables& tables, const View& view, const Core& core, 
     return result;
 }
 
-TEST_CASE("random views: the shader's text in double and in float agrees with the reference") {
+TEST_CASE("random views: the shader's text in double and in float agrees with the reference" * test::costly()) {
     Random random(seed());
     FrameTables tables;
     std::map<std::string, double> largest;

@@ -109,7 +109,7 @@ struct DepthView {
 
 }  // namespace
 
-TEST_CASE("zoom: directions and disc places are those of exact arithmetic, to 1e-300") {
+TEST_CASE("zoom: directions and disc places are those of exact arithmetic, to 1e-300" * test::costly()) {
     const std::vector<DepthView> views = {{"at rest", ObserverKind::kStatic, {}},
                                           {"0.7 c aside", ObserverKind::kStatic, {0.2, -0.3, 0.6}},
                                           {"falling", ObserverKind::kRain, {}},

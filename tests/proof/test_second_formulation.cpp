@@ -165,7 +165,7 @@ SecondFormulationCase near_critical(double r, double part, double bearing) {
                {r > 1.5 ? -cosine : cosine, sine * std::cos(bearing), sine * std::sin(bearing)});
 }
 
-TEST_CASE("second formulation: named hard rays") {
+TEST_CASE("second formulation: named hard rays" * test::costly()) {
     std::vector<SecondFormulationCase> cases;
     for (const double part : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10})
         for (const int side : {-1, 1}) {
@@ -190,7 +190,7 @@ TEST_CASE("second formulation: named hard rays") {
     check_all("named rays", cases);
 }
 
-TEST_CASE("second formulation: random rays in every metric") {
+TEST_CASE("second formulation: random rays in every metric" * test::costly()) {
     Random random(seed());
     for (const MetricEntry& entry : metric_registry()) {
         if (!kerr_schild_metric(

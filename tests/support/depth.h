@@ -45,6 +45,17 @@ T by_depth(T quick, T all, T everything, const char* file = __builtin_FILE()) {
     return asked == Depth::kQuick ? quick : asked == Depth::kAll ? all : everything;
 }
 
+// Costly cases, of more than a base second at quick depth: that depth takes one in so many of them, others with another NULLSCOPE_RUN. Its
+// runs in continuous integration are numbered as the turns are, so that as many submissions in a row take each; without a number all are run.
+inline constexpr int kCostlyParts = 3;
+
+inline bool left_to_another_run(const char* file) {
+    static int number = 0;  // of the program's costly cases
+    const std::string_view run = environment_word("NULLSCOPE_RUN");
+    const int part = number++ % kCostlyParts;
+    return !run.empty() && depth(file) == Depth::kQuick && part != std::atoll(run.data()) % kCostlyParts;
+}
+
 // Which cases of a list a test measures: all; at quick depth every step-th, the first among them.
 class Selection {
 public:

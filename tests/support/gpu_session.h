@@ -23,6 +23,7 @@
 #include "reference/reference.h"
 #include "render/renderer.h"
 #include "scenefile/scene_text.h"
+#include "support/costly.h"
 #include "support/depth.h"
 #include "support/reference_memory.h"
 #include "support/report.h"

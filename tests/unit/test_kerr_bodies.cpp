@@ -118,7 +118,7 @@ double value_of(const Scene& scene, const reference::Metric& metric, Vec3 x, dou
 
 }  // namespace
 
-TEST_CASE("kerr bodies: with almost no spin they are where the planar reference has them") {
+TEST_CASE("kerr bodies: with almost no spin they are where the planar reference has them" * test::costly()) {
     // What the spin itself makes: 1e-9 r_s, on grazing rays some 200 times that; a tenth of it with a tenth of the spin.
     constexpr double kPlace = 3e-7;
     constexpr double kCosine = 1e-6;  // the planar one is a difference over 1e-6 rad

@@ -214,7 +214,7 @@ TEST_CASE("line profile: a ring far out has the two horns of Kepler's law") {
     CHECK(haardt / ring.all_photons == doctest::Approx(std::log(3)).epsilon(1e-3));
 }
 
-TEST_CASE("line profile: twice the resolution changes no bin by 0.5 % of the largest") {
+TEST_CASE("line profile: twice the resolution changes no bin by 0.5 % of the largest" * test::costly()) {
     constexpr double kRounding = 1e-10;
     struct Case {
         double spin, inclination_deg, inner;  // inner 0: the innermost stable orbit

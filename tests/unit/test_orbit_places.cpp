@@ -33,7 +33,8 @@ private:
 }  // namespace
 
 TEST_CASE(
-    "orbit places: those of the orbit to 1e-11, whatever the metric, and a third as many asked where looks crowd") {
+    "orbit places: those of the orbit to 1e-11, whatever the metric, and a third as many asked where looks crowd" *
+    test::costly()) {
     struct Case {
         SpacetimeSpec spacetime;
         std::vector<double> places;  // r, l

@@ -62,7 +62,8 @@ TEST_CASE("reference: frames are finite everywhere") {
     }
 }
 
-TEST_CASE("reference: frames from inside a horizon are finite, and light of no positive energy has no g") {
+TEST_CASE("reference: frames from inside a horizon are finite, and light of no positive energy has no g" *
+          test::costly()) {
     for (const char* metric : {"schwarzschild", "reissner-nordstrom", "kerr"})
         for (const ObserverKind observer : {ObserverKind::kRain, ObserverKind::kFall, ObserverKind::kThrow})
             for (const double r : {0.3, 0.6, 0.87}) {

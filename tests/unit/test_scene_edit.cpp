@@ -41,7 +41,7 @@ SectionRef section_of(const Scene& scene, std::string_view label) {
 
 }  // namespace
 
-TEST_CASE("scene edit: a key that gets the value it has leaves every scene as it is") {
+TEST_CASE("scene edit: a key that gets the value it has leaves every scene as it is" * test::costly()) {
     for (const SceneInfo& info : shipped_scenes()) {
         CAPTURE(info.name);
         const Scene scene = shipped(info.name.c_str());

@@ -193,7 +193,8 @@ std::string picture_of(const Scene& scene) {
 }  // namespace
 
 TEST_CASE(
-    "shader source: an effect that is off leaves nothing in the picture's shader, one that is on leaves its marks") {
+    "shader source: an effect that is off leaves nothing in the picture's shader, one that is on leaves its marks" *
+    test::costly()) {
     for (const Scene& scene : all_scenes()) {
         const EffectSet set = effect_set(required_effects(scene));
         const std::string text = picture_of(scene);

@@ -167,7 +167,7 @@ TEST_CASE("sample_sky: texel centres exactly, bilinear between, clamped at the e
     CHECK(sample(0.01, 15.99) == doctest::Approx(1500));
 }
 
-TEST_CASE("a star's flux does not depend on where it lies, nor on the size of the face") {
+TEST_CASE("a star's flux does not depend on where it lies, nor on the size of the face" * test::costly()) {
     const double texel = 2.0 / kSize;
     const double off = 0.37 * texel;
     const Vec3 places[] = {

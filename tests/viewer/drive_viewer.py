@@ -21,6 +21,7 @@ from pathlib import Path
 import cases_apart
 import cases_overlays
 import cases_window
+import depth
 from viewer_process import HEIGHT, UNDER_STARS, WIDTH, Viewer, keep_programs
 from x_screen import Screen, missing_tools
 
@@ -47,6 +48,8 @@ def main():
     known = {"window", "apart"} | {t.__name__.removeprefix("test_") for group in groups.values() for t in group}
     if set(words) - known:
         sys.exit(f"no such case (without test_; some need NULLSCOPE_EVERYTHING=1): {' '.join(sorted(set(words) - known))}")
+    if "apart" in words:   # each starts a viewer
+        groups["apart"] = [test for test in groups["apart"] if not depth.left_to_another_run()]
     chosen = lambda group: [t for t in groups[group] if group in words or t.__name__.removeprefix("test_") in words]
     screen, folder, good = Screen(WIDTH + 100, HEIGHT + 100), Path(tempfile.mkdtemp(prefix="nullscope-drive.")), True
     keep_programs(folder)

@@ -56,7 +56,7 @@ TEST_CASE("fall: who turns the camera lets it fall on from there") {
     CHECK(fall.runs());
 }
 
-TEST_CASE("fall: from anywhere it takes 20 s, the end of it slowly, also for who turns meanwhile") {
+TEST_CASE("fall: from anywhere it takes 20 s, the end of it slowly, also for who turns meanwhile" * test::costly()) {
     constexpr double kStep_s = 1.0 / 16;
     for (const ObserverKind observer : {ObserverKind::kStatic, ObserverKind::kRain})
         for (const double r : {2.0, 10.0, 300.0, 1e4, 1e6, 1e9})
