@@ -6,68 +6,34 @@
 #include <bit>
 #include <utility>
 
-#include "base/assets.h"
-#include "base/stopwatch.h"
-#include "image/large_image.h"
-#include "plan/medium.h"
-#include "render/frame_textures.h"
 #include "render/ray_list_target.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
 #include "shaderlib/passes.h"
-#include "sky/packed_sky.h"
-#include "table/disc_light.h"
-#include "table/orbit_table.h"
 #include "table/star_lens.h"
-#include "table/table_grid.h"
 
 namespace nullscope {
 namespace {
 
-// Units of textures by the samplers' names; those of the images on bodies follow.
-constexpr const char* kSamplers[] = {
-    "strip_texture",     "orbit_texture",      "sky_texture",         "disc_texture",       "table_texture",
-    "ends_texture",      "other_side_texture", "disc_matter_texture", "black_body_texture", "star_lens_texture",
-    "clearance_texture", "ball_path_texture",  "warp_texture",        "medium_texture"};
 constexpr int kRaysAtOnce = 16;  // that every pixel traces in one draw
 // Where each may go through matter in 1024 spans of some six rounds: llvmpipe ends a shader after 65535 rounds of all its loops, in silence.
 constexpr int kRaysAtOnceInMatter = 4;
-constexpr int kBodyUnit = static_cast<int>(std::size(kSamplers));
-constexpr int kTileUnit = kBodyUnit + kMostBodyImages;
-constexpr int unit_of(std::string_view sampler) {
-    return static_cast<int>(std::ranges::find(kSamplers, sampler) - std::begin(kSamplers));
-}
-constexpr int kSkyUnit = unit_of("sky_texture"), kFarSkyUnit = unit_of("other_side_texture");
+constexpr int kTileUnit = FrameInputs::kFreeUnit;
 // Passes that work on the picture sample none of the scene's tables: they share their units.
-constexpr int kSourceUnit = unit_of("strip_texture"), kHaloUnit = unit_of("orbit_texture"), kMeterUnit = kSkyUnit,
-              kPictureUnit = unit_of("clearance_texture"), kListUnit = kSkyUnit;  // ray data show no sky
+constexpr int kSourceUnit = FrameInputs::unit_of("strip_texture"), kHaloUnit = FrameInputs::unit_of("orbit_texture"),
+              kMeterUnit = FrameInputs::unit_of("sky_texture"),
+              kPictureUnit = FrameInputs::unit_of("clearance_texture"), kListUnit = kMeterUnit;  // ray data show no sky
 constexpr std::pair<const char*, int> kPassSamplers[] = {{"source_texture", kSourceUnit},
                                                          {"bloom_texture", kHaloUnit},
                                                          {"meter_texture", kMeterUnit},
                                                          {"picture_texture", kPictureUnit},
                                                          {"listed_texture", kListUnit}};
 
-gl::Texture texture_of(const TexelGrid& grid) {
-    return gl::make_number_texture(grid.width, grid.height, 4, grid.texels.data(), false);
-}
-gl::Texture texture_of(const TexelGrid* grid) { return grid != nullptr ? texture_of(*grid) : gl::Texture(); }
-
-std::filesystem::path disc_image_file(const DiscSpec& disc) {
-    return disc.image.empty() ? assets_directory() / "images" / "accretion-disc.png" : disc.image;
-}
-
 }  // namespace
-
-Result<FittedImage> load_disc_image(const DiscSpec& disc) { return load_fitted_image(disc_image_file(disc)); }
 
 std::vector<std::string> Renderer::take_notes() { return std::exchange(notes_, {}); }
 
-void Renderer::limit_pictures(int largest) { largest_picture_ = std::min(largest, info_.max_texture_size); }
-
-Renderer::Renderer()
-    : info_(gl::info()),
-      largest_picture_(std::min(info_.max_texture_size, kLargestPicture)),
-      empty_(gl::make_vertex_array()) {}
+Renderer::Renderer() : info_(gl::info()), inputs_(info_), empty_(gl::make_vertex_array()) {}
 
 Status Renderer::prepare(const Scene& scene) {
     const int limit = std::min(info_.max_texture_size, info_.max_renderbuffer_size);
@@ -77,119 +43,12 @@ Status Renderer::prepare(const Scene& scene) {
             fmt::format("1x1 to {}x{}", limit, limit));
     if (Status status = tables_.update(scene); !status) return status;
     if (Status able = tables_.path().check(method_, tables_.plan()); !able) return able;
-    begin_skies();  // they get ready while the rest is loaded
-    const auto disc_file =
-        tables_.effects().contains(Effect::kDiscImage) ? disc_image_file(*scene.disc) : std::filesystem::path();
-    if (Status status = disc_.update(disc_file, {.max_side = largest_picture_}, notes_); !status) return status;
     body_text_ = body_text(scene, tables_.effects());
-    if (Status status = body_images_.update(scene, largest_picture_, notes_); !status) return status;
-    if (Status status = warp_.update(scene.camera, info_.max_texture_size); !status) return status;
-    if (Status status = medium_.update(scene.medium, info_); !status) return status;
-    if (const std::string word = medium_note(tables_.matter(), scene); !word.empty() && word != medium_told_)
-        notes_.push_back(medium_told_ = word);
-    load_table();
-    load_heat();
-    load_black_body();
+    if (Status status = inputs_.begin(tables_, method_, notes_); !status) return status;
     if (Status status = stars_.update(scene, tables_, star_search_); !status) return status;
-    if (Status status = skies_.finish(notes_); !status) return status;
-    upload_tables();
-    blocks_.upload(
-        tables_, {skies_.size(), disc_.width, skies_.both(),
-                  hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt, medium_.grid(), skies_.light()});
+    if (Status status = inputs_.finish(notes_); !status) return status;
+    blocks_.upload(tables_, inputs_.facts());
     return Done{};
-}
-
-void Renderer::upload_tables() {
-    const BallPaths& paths = tables_.ball_paths();
-    ball_paths_ = paths.balls.empty() ? gl::Texture() : texture_of(paths.rows);
-    if (clearances_revision_ != tables_.clearances_revision()) {
-        clearances_revision_ = tables_.clearances_revision();
-        const SurfaceClearances& clearances = tables_.clearances();
-        clearances_ = clearances.rows() == 0 ? gl::Texture()
-                                             : gl::make_number_texture(kClearanceWidth, clearances.rows(), 1,
-                                                                       clearances.cells().data(), false);
-    }
-    if (rows_revision_ != tables_.revision()) {
-        rows_revision_ = tables_.revision();
-        ends_ = {};
-        strip_ = texture_of(tables_.texels("strip"));
-        const TexelGrid *places = tables_.texels("orbit table"), *delays = tables_.texels("light-time table");
-        orbit_table_ = delays != nullptr ? texture_of(side_by_side(*places, *delays)) : texture_of(places);
-        star_lens_ = texture_of(tables_.texels("star lens"));
-    }
-    // A picture of the sky alone does not look where along the ray it is.
-    if (!meets_objects(tables_.effects()) && !tables_.effects().contains(Effect::kLightTimes) && !method_.cubic)
-        ends_ = {};
-    else
-        upload_ends();
-}
-
-void Renderer::upload_ends() {
-    if (!ends_) ends_ = texture_of(tables_.texels("ray ends"));
-}
-
-void Renderer::begin_skies() {
-    const Scene& scene = tables_.plan().scene;
-    const SkyAsked asked = sky_asked(scene, tables_.effects());
-    if (asked != sky_asked_) {  // it may look into files
-        sky_asked_ = asked;
-        const int most = std::min(info_.max_cube_size, std::max(largest_picture_, kUsualSkyFace));
-        sky_faces_ = asked.near || asked.far ? sky_faces(asked, most) : SkyFaces();
-        if (sky_faces_.halves && sky_faces_.coarse()) notes_.push_back("sky.image: " + sky_faces_.words());
-    }
-    const int wanted = sky_faces_.size;
-    skies_.begin(asked.near, asked.far, keep_finer_sky_ && wanted > 0 ? std::max(wanted, skies_.size()) : wanted);
-}
-
-void Renderer::load_heat() {
-    const Scene& scene = tables_.plan().scene;
-    if (!tables_.effects().contains(Effect::kThermalDisc)) {
-        disc_flow_ = {};
-        flow_key_.reset();
-        hottest_ = {};
-        return;
-    }
-    const auto& accretion = scene.disc->accretion;
-    if (!accretion)
-        hottest_ = {};
-    else if (!(hottest_.by == accretion && hottest_.about == scene.spacetime))
-        hottest_ = {
-            accretion, scene.spacetime,
-            disc_temperature_K(disc_flux_peak(tables_.matter()).flux, accretion->mass_suns, accretion->rate_eddington)};
-    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer, scene.light.doppler,
-                                     scene.light.gravity, scene.light.lensing);
-    if (flow_key_ == key) return;
-    disc_flow_ = texture_of(disc_flow_row(tables_.matter(), scene.disc->inner, scene.disc->outer,
-                                          {scene.light.doppler, scene.light.gravity, !scene.light.lensing}));
-    flow_key_ = key;
-}
-
-void Renderer::load_black_body() {
-    const bool wanted = shades_heat(tables_.effects()) || tables_.effects().contains(Effect::kPointStars);
-    if (!wanted)
-        black_body_ = {};
-    else if (!black_body_)
-        black_body_ = texture_of(black_body_row());
-}
-
-void Renderer::load_table() {
-    const Scene& scene = tables_.plan().scene;
-    if (tables_.path().table() == nullptr || method_.kind != MethodKind::kTable) {
-        table_ = {};
-        table_key_.reset();
-        table_bytes_ = 0;
-        return;
-    }
-    const auto key = std::make_pair(scene.spacetime, method_);
-    if (table_key_ == key) return;
-    const Stopwatch watch;
-    const bool hermite = method_.lookup == Lookup::kHermite;
-    const TableGrid grid = build_table_grid(*tables_.path().table(), method_.size, hermite);
-    table_ = gl::make_number_texture(grid.width, grid.height, grid.channels, grid.values.data(),
-                                     method_.lookup == Lookup::kHardware);
-    table_bytes_ = grid.values.size() * sizeof(float);
-    table_key_ = key;
-    gpu_table_ms_ = watch.ms();
 }
 
 Renderer::ProgramKey Renderer::program_key(Stage stage, Output output) const {
@@ -208,10 +67,9 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
                                                         : gl::begin_program(source.vertex, source.fragment);
     gl::finish_program(made, source.vertex, source.fragment);
     UniformBlocks::name(made);
-    for (const char* sampler : kSamplers) gl::set_integer(made, sampler, unit_of(sampler));
+    FrameInputs::name(made);
     for (const auto& [sampler, unit] : kPassSamplers) gl::set_integer(made, sampler, unit);
     for (int i = 0; const char* sampler : PictureTiles::kSamplers) gl::set_integer(made, sampler, kTileUnit + i++);
-    for (int i = 0; i < kMostBodyImages; ++i) gl::set_integer(made, body_image_sampler(i).c_str(), kBodyUnit + i);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -234,21 +92,7 @@ int Renderer::picture_programs() const {
 
 void Renderer::bind_inputs() {
     blocks_.bind();
-    for (const auto& [sampler, texture] : {std::pair{"strip_texture", &strip_},
-                                           {"ends_texture", &ends_},
-                                           {"orbit_texture", &orbit_table_},
-                                           {"disc_texture", &disc_.texture},
-                                           {"table_texture", &table_},
-                                           {"disc_matter_texture", &disc_flow_},
-                                           {"black_body_texture", &black_body_},
-                                           {"star_lens_texture", &star_lens_},
-                                           {"clearance_texture", &clearances_},
-                                           {"ball_path_texture", &ball_paths_}})
-        gl::bind_texture_2d(unit_of(sampler), *texture);
-    gl::bind_texture_2d(unit_of("warp_texture"), warp_.texture());
-    gl::bind_texture_layers(unit_of("medium_texture"), medium_.texture());
-    skies_.bind(kSkyUnit, kFarSkyUnit);
-    body_images_.bind(kBodyUnit);
+    inputs_.bind();
     picture_tiles_.bind(kTileUnit);
 }
 
@@ -505,7 +349,7 @@ Renderer::RayDepths Renderer::ray_depths() {
     const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
     const bool medium = has_medium(tables_.effects());
     const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F, medium ? 2 : 1);
-    upload_ends();
+    inputs_.load_ends(tables_);
     const gl::Program& built = program(Stage::kRayDepth, Output::kLinear);
     bind_inputs();
     gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
@@ -536,10 +380,8 @@ Status Renderer::prepare_list(const Scene& scene, bool crossings) {
     tables_.want_crossings(false);
     if (!ready) return ready;
     if (Status able = tables_.path().check(method_, tables_.plan()); !able) return able;
-    load_table();
     body_text_ = body_text(scene, tables_.effects());
-    upload_tables();
-    upload_ends();
+    inputs_.load_rays(tables_, method_);
     blocks_.upload(tables_, {});
     return Done{};
 }
@@ -570,7 +412,7 @@ std::vector<int> Renderer::shader_numbers() const {
 
 RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
     const int w = target.width, h = target.height, rows = (h - 1) / row_step + 1;
-    upload_ends();
+    inputs_.load_ends(tables_);
     const gl::Program& built = program(Stage::kRayData, Output::kLinear);
     bind_inputs();
     if (row_step == 1)
@@ -612,34 +454,13 @@ double Renderer::refined_share() const {
                : static_cast<double>(edges_.count()) / (static_cast<double>(linear_.width) * linear_.height);
 }
 
-std::vector<Renderer::TextureLine> Renderer::textures() const {
-    std::vector<TextureLine> lines;
-    const auto add = [&](std::string name, int width, int height, std::size_t thirds) {  // of a byte a texel
-        lines.push_back({std::move(name), width, height,
-                         thirds * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 3});
-    };
-    constexpr std::size_t kPicture = 32, kTexel = 48, kNumber = 12;  // half floats with mip levels; numbers
-    const std::size_t sky = 24 * skies_.texel_bytes();               // 6 faces with mip levels
-    for (const auto& [name, texels] : tables_.path().tables())
-        if (name != "ray ends" || ends_) add(std::string(name), texels->width, texels->height, kTexel);
-    if (table_bytes_ > 0) lines.push_back({"deflection table", method_.size + 1, 2 * (method_.size + 1), table_bytes_});
-    if (ball_paths_) add("ball paths", tables_.ball_paths().rows.width, tables_.ball_paths().rows.height, kTexel);
-    if (clearances_) add("surface clearance", kClearanceWidth, tables_.clearances().rows(), kNumber);
-    const int face = skies_.both() ? bordered_size(skies_.size()) : skies_.size();
-    if (skies_.far()) add("far sky", face, face, sky);
-    if (skies_.near()) add("sky", face, face, sky);
-    if (disc_.texture) add("disc image", disc_.width, disc_.height, kPicture);
-    for (int image = 0; image < kMostBodyImages; ++image)
-        if (const auto& picture = body_images_.pictures()[static_cast<std::size_t>(image)]; picture.texture)
-            add(body_image_name(tables_.plan().scene, image), picture.width, picture.height, kPicture);
-    if (flow_key_) add("disc flow", kDiscFlowCells + 1, kDiscFlowRows, kTexel);
-    if (black_body_) add("black body", kBlackBodyCells + 1, 1, kTexel);
-    if (warp_.rows() > 0) add("warp mesh", kWarpRow, warp_.rows(), kTexel);
-    if (const MediumGrid* grid = medium_.grid())
-        lines.push_back(
-            {"medium grid", grid->rings().count, grid->polar().count * grid->around().count, grid->bytes()});
+std::vector<TextureLine> Renderer::textures() const {
+    std::vector<TextureLine> lines = inputs_.lines(tables_);
     if (stars_.count() > 0) lines.push_back({"stars", stars_.count(), 1, stars_.bytes()});
-    if (linear_.width > 0) add("linear picture", linear_.width, linear_.height, 3 * gl::bytes_of(linear_format_));
+    if (linear_.width > 0)
+        lines.push_back({"linear picture", linear_.width, linear_.height,
+                         gl::bytes_of(linear_format_) * static_cast<std::size_t>(linear_.width) *
+                             static_cast<std::size_t>(linear_.height)});
     if (bloom_.bytes() > 0)
         lines.push_back({"bloom", (linear_.width + 1) / 2, (linear_.height + 1) / 2, bloom_.bytes()});
     return lines;

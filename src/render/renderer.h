@@ -12,20 +12,14 @@
 #include "base/result.h"
 #include "gl/gl.h"
 #include "image/image.h"
-#include "image/large_image.h"
 #include "render/bloom.h"
-#include "render/body_images.h"
-#include "render/frame_numbers.h"
+#include "render/frame_inputs.h"
 #include "render/frame_tables.h"
-#include "render/medium_texture.h"
 #include "render/picture_edges.h"
 #include "render/picture_layers.h"
 #include "render/picture_tiles.h"
-#include "render/sky_faces.h"
-#include "render/sky_textures.h"
 #include "render/star_field.h"
 #include "render/uniform_blocks.h"
-#include "render/warp_texture.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 #include "shaderlib/passes.h"
@@ -43,7 +37,7 @@ public:
 
     // Keeps a sky finer than a frame needs, so that zooming out and in does not hitch; pictures then depend on what was drawn
     // before. For windows only.
-    void keep_finer_sky() { keep_finer_sky_ = true; }
+    void keep_finer_sky() { inputs_.keep_finer_sky(); }
 
     // Tables of a camera whose radius changes little from picture to picture are made for less (LightPath::follows_camera). For windows, and
     // for pictures that are drawn by many cameras next to each other.
@@ -51,8 +45,8 @@ public:
 
     // The longest side of the textures of images from the next prepare() on; larger images are made smaller while they are read.
     // Without it: the driver's limit, at most kLargestPicture.
-    static constexpr int kLargestPicture = 16384;  // px: 1.1 GB with mip levels for an image twice as wide as high
-    void limit_pictures(int largest);
+    static constexpr int kLargestPicture = FrameInputs::kLargestPicture;
+    void limit_pictures(int largest) { inputs_.limit_pictures(largest); }
     // What was done to images since the last call, a line each, for people.
     std::vector<std::string> take_notes();
 
@@ -121,18 +115,13 @@ public:
     void list_rays(const ListedCrossings& asked, std::span<const RayNumbers> rays, ListedRay* found);
 
     const FrameTables& tables() const { return tables_; }
-    double gpu_table_ms() const { return gpu_table_ms_; }  // time of the last table of method kTable
-    int picture_programs() const;                          // of pictures, built so far while they were drawn
+    double gpu_table_ms() const { return inputs_.table_ms(); }  // time of the last table of method kTable
+    int picture_programs() const;                               // of pictures, built so far while they were drawn
     const gl::Info& info() const { return info_; }
 
     // Part of the last picture's pixels that more rays were traced for (Effect::kRefine), 0 to 1.
     double refined_share() const;
 
-    struct TextureLine {
-        std::string name;
-        int width, height;
-        std::size_t bytes;
-    };
     std::vector<TextureLine> textures() const;
 
 private:
@@ -155,29 +144,18 @@ private:
     template <class Draw>
     void draw_samples(int samples, int at_once, Draw draw);
     void refine_rows(const std::vector<Pass>& list, int width, int height, int first, int last);
-    void upload_tables();
-    void upload_ends();
     RayFrame draw_rays(const gl::Target& target, int row_step);
     std::vector<int> shader_numbers() const;
-    void begin_skies();
-    void load_table();
-    void load_heat();
-    void load_black_body();
 
     gl::Info info_;
-    int largest_picture_;
+    FrameInputs inputs_;
     std::vector<std::string> notes_;
-    std::string medium_told_;
     gl::VertexArray empty_;
     UniformBlocks blocks_;
     std::map<ProgramKey, gl::Program> programs_;
     std::optional<std::pair<ProgramKey, gl::Program>> coming_;  // begun by build_next()
     Method method_;
     FrameTables tables_;
-    int rows_revision_ = -1, clearances_revision_ = 0;
-    gl::Texture strip_, ends_, orbit_table_, ball_paths_, clearances_, table_, disc_flow_, black_body_, star_lens_;
-    WarpTexture warp_;
-    MediumTexture medium_;
     StarField stars_;
     StarField::Search star_search_;
     Bloom bloom_;
@@ -191,25 +169,6 @@ private:
     bool refining_ = true;
     PictureLayer layer_ = PictureLayer::kAll;  // of Output::kLayers
     BodyText body_text_;
-    BodyImages body_images_;
-    PictureTexture disc_;
-    std::optional<std::pair<SpacetimeSpec, Method>> table_key_;  // of table_
-    std::size_t table_bytes_ = 0;
-    double gpu_table_ms_ = 0.0;
-    SkyTextures skies_;
-    std::optional<SkyAsked> sky_asked_;
-    SkyFaces sky_faces_;  // of it
-    bool keep_finer_sky_ = false;
-    std::optional<std::tuple<SpacetimeSpec, double, double, bool, bool, bool>>
-        flow_key_;    // of disc_flow_: its radii, parts of g
-    struct Hottest {  // ring of the disc, where accretion heats it
-        std::optional<AccretionSpec> by;
-        SpacetimeSpec about;
-        double temperature_K = 0.0;
-    } hottest_;
 };
-
-// The image of the disc: the scene's, or the one that ships.
-Result<FittedImage> load_disc_image(const DiscSpec& disc);
 
 }  // namespace nullscope

@@ -23,14 +23,14 @@ bool is_of_place(const std::string& name) {
 std::string section_of(const std::string& name) { return name.substr(0, name.find('.')); }
 
 // Of ViewState, as far as its changes are named.
-struct Settings {
+struct Compared {
     const Scene& scene;
     const EffectSet& off;
     const MethodWish& method;
 };
 
 // Sections that come or go, the keys whose values differ, and switches; of many the first ones. Empty: all is the same.
-std::string changes_between(const Settings& a, const Settings& b) {
+std::string changes_between(const Compared& a, const Compared& b) {
     constexpr std::size_t kMostNamed = 3;
     std::map<std::string, std::string> before, after;
     for (const SceneLine& line : scene_lines(a.scene))
@@ -114,7 +114,7 @@ bool History::redo(ViewState& view, std::string& what) {
 
 bool History::go_to(std::size_t step, ViewState& view, std::string& what) {
     const Step& to = steps_[step];
-    const Settings there{to.scene, to.off, to.method}, here{view.scene, view.off, view.method};
+    const Compared there{to.scene, to.off, to.method}, here{view.scene, view.off, view.method};
     const bool swapped = view.side_b != nullptr && sides_swapped(to.sides, view.sides);
     what = to.source != view.source ? "another scene"
            : swapped                ? ""
