@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "render/frame_tables.h"
+#include "support/costly.h"
 #include "support/depth.h"
 
 using namespace nullscope;

@@ -9,6 +9,7 @@
 #include "reference/frame_tracer.h"
 #include "render/frame_tables.h"
 #include "shadercore/core_trace.h"
+#include "support/costly.h"
 #include "support/depth.h"
 
 namespace {

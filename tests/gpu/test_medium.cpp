@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plan/medium.h"
+#include "support/costly.h"
 #include "support/medium_pictures.h"
 
 namespace {

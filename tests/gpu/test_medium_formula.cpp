@@ -10,6 +10,7 @@
 #include "reference/emission.h"
 #include "reference/seen_light.h"
 #include "scene/known_object.h"
+#include "support/costly.h"
 #include "support/medium_pictures.h"
 
 namespace {

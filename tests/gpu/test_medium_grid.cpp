@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/atomic_file.h"
+#include "support/costly.h"
 #include "support/medium_files.h"
 #include "support/medium_pictures.h"
 #include "support/temporary_folder.h"

@@ -6,6 +6,7 @@
 #include "base/assets.h"
 #include "plan/medium.h"
 #include "scene/known_object.h"
+#include "support/costly.h"
 #include "support/medium_pictures.h"
 
 namespace {

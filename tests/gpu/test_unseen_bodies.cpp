@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "support/costly.h"
 #include "support/medium_pictures.h"
 
 namespace {

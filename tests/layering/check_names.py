@@ -3,7 +3,8 @@
 
 Usage: check_names.py [--self-test] [FOLDER...]     folders of .cpp files; by default every module of src/, and every folder of tests/
 
-Looks at what begins in the first column inside an anonymous namespace. Functions of one name may differ in their parameters.
+Looks at what begins in the first column inside an anonymous namespace. Functions of one name may differ in their parameters. Types and
+constants there have no name of a type or constant of the module's headers either.
 """
 import re
 import sys
@@ -36,11 +37,21 @@ def own_names(text):
     return names
 
 
+def header_names(text):
+    """Types and constants of a header."""
+    found = re.findall(r"^(?:struct|class|enum class|enum) (\w+)|^using (\w+) =|^inline constexpr [\w:<>* ]*?(\w+)(?:\[[^\n]*\])? =", text, re.MULTILINE)
+    return {name for names in found for name in names if name}
+
+
 def clashes(folder):
     owners = defaultdict(list)
     for file in sorted(file for file in folder.glob("*.cpp") if file.name not in ALONE):
         for name, parameters in own_names(file.read_text(encoding="utf-8")).items():
             owners[name, parameters].append(file.name)
+    for header in sorted(folder.glob("*.h")):
+        for name in header_names(header.read_text(encoding="utf-8")):
+            if (name, "") in owners:
+                owners[name, ""].append(header.name)
     return [f"{folder.name}: {name} is a name in {' and in '.join(files)}" for (name, _), files in sorted(owners.items()) if len(files) > 1]
 
 
@@ -49,8 +60,10 @@ def self_test():
         folder = Path(name)
         (folder / "a.cpp").write_text("namespace {\nconstexpr int kA = 1, kC = 2;\nstruct Row {\n};\nint of(int a) { return a; }\ndouble f(double x) {\n}\n}  // namespace\nint g() {}\n")
         (folder / "b.cpp").write_text("namespace {\nconstexpr int kB = kA, kC = 3;\nstruct Row;\nint of(int b) {\n}\ndouble f(float x) {\n}\nvoid g() {}\n}  // namespace\n")
+        (folder / "c.h").write_text("struct Wide;\ninline constexpr double kFar = 3;\n")
+        (folder / "c.cpp").write_text("namespace {\nconstexpr double kFar = 2;\nstruct Wide {\n};\n}  // namespace\n")
         found = [line.split()[1] for line in clashes(folder)]
-        assert found == ["Row", "kC", "of"], found
+        assert found == ["Row", "Wide", "kC", "kFar", "of"], found
     return 0
 
 

@@ -13,6 +13,7 @@
 #include "proof/settings.h"
 #include "proof/taylor_kerr.h"
 #include "reference/kerr_ray.h"
+#include "support/costly.h"
 #include "support/depth.h"
 
 namespace {

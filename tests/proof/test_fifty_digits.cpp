@@ -15,6 +15,7 @@
 #include "proof/settings.h"
 #include "proof/taylor_orbit.h"
 #include "reference/reference.h"
+#include "support/costly.h"
 
 namespace {
 

@@ -20,6 +20,7 @@
 #include "reference/frame_tracer.h"
 #include "scene/projection.h"
 #include "spacetime/registry.h"
+#include "support/costly.h"
 #include "support/depth.h"
 #include "support/folders.h"
 

@@ -13,6 +13,7 @@
 
 #include "proof/view_judge.h"
 #include "scenefile/scene_file.h"
+#include "support/costly.h"
 #include "support/folders.h"
 
 namespace {

@@ -13,6 +13,7 @@
 #include "render/frame_tables.h"
 #include "shadercore/core_trace.h"
 #include "spacetime/registry.h"
+#include "support/costly.h"
 
 namespace {
 

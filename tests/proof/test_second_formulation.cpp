@@ -11,6 +11,7 @@
 #include "proof/settings.h"
 #include "reference/reference.h"
 #include "spacetime/registry.h"
+#include "support/costly.h"
 
 namespace {
 

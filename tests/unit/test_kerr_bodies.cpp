@@ -20,6 +20,7 @@
 #include "scene/bodies.h"
 #include "scene/named_surface.h"
 #include "scene/projection.h"
+#include "support/costly.h"
 #include "support/depth.h"
 
 namespace {

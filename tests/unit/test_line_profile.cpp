@@ -12,6 +12,7 @@
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 #include "spectrum/line_profile.h"
+#include "support/costly.h"
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include "reference/orbit.h"
 #include "reference/orbit_places.h"
 #include "scene/scene.h"
+#include "support/costly.h"
 
 using namespace nullscope;
 

@@ -10,6 +10,7 @@
 #include "observer/pose.h"
 #include "reference/reference.h"
 #include "scene/projection.h"
+#include "support/costly.h"
 #include "support/observer.h"
 
 namespace {

@@ -8,6 +8,7 @@
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_text.h"
+#include "support/costly.h"
 
 using namespace nullscope;
 

@@ -14,6 +14,7 @@
 #include "shaderlib/embedded.h"
 #include "shaderlib/preprocess.h"
 #include "shaderlib/shader_source.h"
+#include "support/costly.h"
 #include "support/depth.h"
 
 using namespace nullscope;

@@ -14,6 +14,7 @@
 #include "sky/sky_painter.h"
 #include "sky/star_catalogue.h"
 #include "sky/star_light.h"
+#include "support/costly.h"
 #include "support/depth.h"
 #include "support/folders.h"
 #include "support/temporary_folder.h"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "support/costly.h"
 #include "viewer/fall.h"
 
 namespace {
