@@ -244,6 +244,9 @@ def settled(generator, judge, scene):
                 scene = {**scene, section: {}}
             else:
                 return scene, f"refusal: names {told[1]}, which is not in the scene: {said}"
+        if "[split]" in told[2] and "split" in scene:
+            scene = without(scene, "split")
+            continue
         refused[told[1]] += 1
         tables = scene[section] if isinstance(scene[section], list) else [scene[section]]
         if refused[told[1]] > 3:   # what was changed is refused by another key, and back

@@ -291,6 +291,21 @@ Faults check_motion(const Scene& scene, const World& world, const std::string& m
     return faults;
 }
 
+// Faults of a split picture's right half: keys of its spacetime are those of [split], and what names another key says which half it is of.
+Faults of_right_half(Faults faults) {
+    constexpr std::string_view kWorld = "spacetime";
+    const auto renamed = [&](std::string& key) {
+        const bool its = key == kWorld || key.starts_with("spacetime.");
+        if (its) key = "split" + key.substr(kWorld.size());
+        return its;
+    };
+    for (SceneFault& fault : faults) {
+        if (!renamed(fault.key)) fault.what += " in the right half ([split])";
+        if (!renamed(fault.at) && fault.at.empty()) fault.at = "split";
+    }
+    return faults;
+}
+
 }  // namespace
 
 void for_each_section(
@@ -346,7 +361,7 @@ std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given)
     const World world = world_of(scene.spacetime);
     if (const Status parts = world ? check_light_parts(*world, scene) : Done{}; !parts)
         append(faults, one(parts.error(), "camera.observer"));
-    if (scene.split) append(faults, check_place(scene, "split", *scene.split));
+    if (scene.split) append(faults, of_right_half(check_place(scene, "split", *scene.split)));
     return faults;
 }
 
@@ -356,17 +371,21 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     append(faults, check_disc(scene, world, given));
     append(faults, check_patterns(scene));
     append(faults, check_bodies(scene, world ? world->horizon_radius().value_or(0.0) : 0.0));
-    for (const World& each : {world, other})
-        if (each) append(faults, side_faults(*each, scene)), append(faults, medium_faults(*each, scene));
+    if (world) append(faults, side_faults(*world, scene)), append(faults, medium_faults(*world, scene));
+    if (other)
+        append(faults, of_right_half(side_faults(*other, scene))),
+            append(faults, of_right_half(medium_faults(*other, scene)));
     append(faults, check_keys(scene, given, false));
     append(faults, check_spots(scene));
     if (!faults.empty()) return faults;
     append(faults, check_scale_bar(scene, world));
-    for (const World& each : {world, other}) append(faults, check_zoom(scene, each));
+    append(faults, check_zoom(scene, world));
+    append(faults, of_right_half(check_zoom(scene, other)));
     if (!faults.empty()) return faults;
     faults = check_motion(scene, world, scene.spacetime.metric, scene.light.delay);
     if (scene.split)
-        append(faults, check_motion(scene, other, scene.split->metric, scene.light.delay && scene.split_delay));
+        append(faults,
+               of_right_half(check_motion(scene, other, scene.split->metric, scene.light.delay && scene.split_delay)));
     return faults;
 }
 
