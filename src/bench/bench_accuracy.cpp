@@ -9,8 +9,8 @@
 #include "base/progress.h"
 #include "bench/accuracy_rows.h"
 #include "command/json.h"
-#include "render/frontier.h"
 #include "scenefile/scene_file.h"
+#include "shaderlib/frontier.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::cli {

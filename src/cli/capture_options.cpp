@@ -9,8 +9,8 @@
 #include "cli/frame_store.h"
 #include "command/options.h"
 #include "image/image_file.h"
-#include "render/frontier.h"
 #include "scenefile/scene_keys.h"
+#include "shaderlib/frontier.h"
 
 namespace nullscope::cli {
 

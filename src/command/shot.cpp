@@ -6,8 +6,8 @@
 #include "base/assets.h"
 #include "command/stereo_capture.h"
 #include "plan/shutter.h"
-#include "render/frontier.h"
 #include "scene/split.h"
+#include "shaderlib/frontier.h"
 
 namespace nullscope::cli {
 namespace {

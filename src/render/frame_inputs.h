@@ -97,6 +97,9 @@ private:
     } hottest_;
 };
 
+// Of the numbers of rays of a list, which show no sky.
+inline constexpr int kListUnit = FrameInputs::unit_of("sky_texture");
+
 // The image of the disc: the scene's, or the one that ships.
 Result<FittedImage> load_disc_image(const DiscSpec& disc);
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "viewer/number_words.h"
+#include "studio/number_words.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
 

@@ -2,9 +2,9 @@
 #pragma once
 #include <string>
 
-#include "viewer/bookmarks.h"
+#include "studio/bookmarks.h"
+#include "studio/view_state.h"
 #include "viewer/card_pictures.h"
-#include "viewer/view_state.h"
 
 namespace nullscope::viewer {
 

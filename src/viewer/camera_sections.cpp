@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "scene/projection.h"
-#include "viewer/boost_words.h"
-#include "viewer/fly_camera.h"
+#include "studio/boost_words.h"
+#include "studio/fly_camera.h"
 #include "viewer/length_fields.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"

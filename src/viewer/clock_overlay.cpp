@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "observer/landmarks.h"
-#include "viewer/number_words.h"
+#include "studio/number_words.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {

@@ -9,7 +9,7 @@
 
 #include "observer/pose.h"
 #include "scene/projection.h"
-#include "viewer/fly_camera.h"
+#include "studio/fly_camera.h"
 #include "viewer/ring_zoom.h"
 
 namespace nullscope::viewer {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "base/vec.h"
-#include "viewer/view_state.h"
+#include "studio/view_state.h"
 #include "viewer/window.h"
 
 namespace nullscope::viewer {

@@ -8,7 +8,7 @@
 #include "observer/critical_light.h"
 #include "observer/ring_view.h"
 #include "scene/split.h"
-#include "viewer/view_state.h"
+#include "studio/view_state.h"
 
 namespace nullscope::viewer {
 namespace {

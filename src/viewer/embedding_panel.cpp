@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
-#include "viewer/embedding.h"
+#include "studio/embedding.h"
+#include "studio/palette.h"
+#include "studio/view_state.h"
 #include "viewer/landmark_circles.h"
-#include "viewer/palette.h"
-#include "viewer/view_state.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {

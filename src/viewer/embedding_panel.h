@@ -1,4 +1,4 @@
-// The embedding diagram over the picture: viewer/embedding.h, seen obliquely from above.
+// The embedding diagram over the picture: studio/embedding.h, seen obliquely from above.
 #pragma once
 #include <string>
 

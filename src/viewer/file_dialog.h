@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "viewer/child_process.h"
+#include "studio/child_process.h"
 
 namespace nullscope::viewer {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "compare/heat_map.h"
-#include "viewer/number_words.h"
+#include "studio/number_words.h"
 #include "viewer/texture_id.h"
 #include "viewer/widgets.h"
 

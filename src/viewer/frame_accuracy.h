@@ -4,7 +4,7 @@
 #include <string>
 
 #include "gl/gl.h"
-#include "viewer/error_watch.h"
+#include "studio/error_watch.h"
 #include "viewer/resting_frame.h"
 #include "viewer/window.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "base/assets.h"
-#include "viewer/autosave.h"
+#include "studio/autosave.h"
 #include "viewer/file_dialog.h"
 #include "viewer/widgets.h"
 

@@ -1,6 +1,6 @@
 // Controls of lengths in the unit that is chosen for numbers; what they change is in r_s.
 #pragma once
-#include "viewer/number_words.h"
+#include "studio/number_words.h"
 
 namespace nullscope::viewer {
 

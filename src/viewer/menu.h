@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "viewer/view_state.h"
+#include "studio/view_state.h"
 #include "viewer/window.h"
 
 namespace nullscope::viewer {

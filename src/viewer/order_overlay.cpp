@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "studio/view_state.h"
 #include "viewer/texture_id.h"
-#include "viewer/view_state.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {

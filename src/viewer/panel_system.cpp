@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "annotate/lettering.h"
-#include "viewer/palette.h"
+#include "studio/palette.h"
 
 namespace nullscope::viewer {
 namespace {

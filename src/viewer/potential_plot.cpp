@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "observer/critical_light.h"
+#include "studio/palette.h"
 #include "viewer/critical_overlay.h"
-#include "viewer/palette.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {

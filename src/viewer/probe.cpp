@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "viewer/view_state.h"
+#include "studio/view_state.h"
 
 namespace nullscope::viewer {
 namespace {

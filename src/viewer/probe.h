@@ -9,7 +9,7 @@
 #include "reference/traced_ray.h"
 #include "scene/scene.h"
 #include "spacetime/spacetime.h"
-#include "viewer/number_words.h"
+#include "studio/number_words.h"
 #include "viewer/potential_plot.h"
 
 namespace nullscope::viewer {

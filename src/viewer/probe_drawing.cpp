@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "scene/bodies.h"
-#include "viewer/palette.h"
+#include "studio/palette.h"
 #include "viewer/probe.h"
 #include "viewer/widgets.h"
 

@@ -10,7 +10,7 @@
 #include "observer/critical_light.h"
 #include "observer/ring_view.h"
 #include "reference/frame_tracer.h"
-#include "viewer/view_state.h"
+#include "studio/view_state.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {

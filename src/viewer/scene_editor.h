@@ -4,8 +4,8 @@
 #include <string>
 
 #include "scenefile/scene_edit.h"
-#include "viewer/additions.h"
-#include "viewer/view_state.h"
+#include "studio/additions.h"
+#include "studio/view_state.h"
 
 namespace nullscope::viewer {
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "studio/method_choice.h"
+#include "studio/view_state.h"
 #include "viewer/frame_accuracy.h"
-#include "viewer/method_choice.h"
 #include "viewer/painter.h"
-#include "viewer/view_state.h"
 
 namespace nullscope::viewer {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "viewer/film_export.h"
-#include "viewer/timeline.h"
-#include "viewer/view_state.h"
+#include "studio/film_export.h"
+#include "studio/timeline.h"
+#include "studio/view_state.h"
 
 namespace nullscope::viewer {
 

@@ -7,15 +7,16 @@
 #include <string>
 
 #include "gl/gl.h"
-#include "viewer/autosave.h"
+#include "studio/autosave.h"
+#include "studio/comparison.h"
+#include "studio/history.h"
+#include "studio/user_files.h"
 #include "viewer/bookmark_panel.h"
-#include "viewer/comparison.h"
 #include "viewer/controls.h"
 #include "viewer/divider.h"
 #include "viewer/file_dialog.h"
 #include "viewer/frame_accuracy.h"
 #include "viewer/gallery.h"
-#include "viewer/history.h"
 #include "viewer/layout_log.h"
 #include "viewer/loop_log.h"
 #include "viewer/menu.h"
@@ -28,7 +29,6 @@
 #include "viewer/scene_editor.h"
 #include "viewer/timeline_panel.h"
 #include "viewer/tour_panel.h"
-#include "viewer/user_files.h"
 
 namespace nullscope::viewer {
 

@@ -10,7 +10,7 @@
 #include "scene/bodies.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
-#include "viewer/comparison.h"
+#include "studio/comparison.h"
 #include "viewer/critical_overlay.h"
 #include "viewer/picking.h"
 #include "viewer/sections.h"

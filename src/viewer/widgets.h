@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "viewer/palette.h"
+#include "studio/palette.h"
 
 namespace nullscope::viewer {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "viewer/gamepad.h"
-#include "viewer/window_place.h"
+#include "studio/gamepad.h"
+#include "studio/window_place.h"
 
 struct GLFWwindow;
 

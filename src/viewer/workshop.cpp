@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "spacetime/registry.h"
-#include "viewer/bands.h"
+#include "studio/bands.h"
 #include "viewer/window.h"
 
 namespace nullscope::viewer {

@@ -14,19 +14,9 @@
 #include "plan/effects.h"
 #include "render/renderer.h"
 #include "scene/split.h"
+#include "studio/paint_job.h"
 
 namespace nullscope::viewer {
-
-// What the window asks of the painter, and what it gets.
-struct PaintJob {
-    Scene scene;
-    Method method;
-    bool rays = false;          // ray data instead of a picture
-    double adaptation = 1.0;    // Renderer::set_adaptation
-    bool coarse_first = false;  // a coarse picture may come before the whole one, if that takes long
-    std::shared_ptr<const PaintJob> side_b =
-        nullptr;  // a second picture of the same size, by the same camera; has none itself
-};
 
 // How far a job is, for people.
 struct PaintProgress {

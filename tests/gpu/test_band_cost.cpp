@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "scenefile/scene_file.h"
+#include "studio/bands.h"
 #include "support/gpu_session.h"
 #include "support/paired_cost.h"
-#include "viewer/bands.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/assets.h"
-#include "render/frontier.h"
+#include "shaderlib/frontier.h"
 #include "support/gpu_session.h"
 #include "support/metrics.h"
 

@@ -20,7 +20,7 @@ PACKAGES = [
     ("libcrypto", re.compile(r"^openssl/"), {"base/sha256.cpp"}),
     ("Dear ImGui", re.compile(r"^(imgui/)?(backends/)?imgui\w*\.h$"), {"viewer"}),
     ("GLFW", re.compile(r"^GLFW/"), {"viewer", "context/glfw.cpp"}),
-    ("toml++", re.compile(r"^toml(\+\+|plusplus)?/|^toml\.hpp$|^toml\+\+$"), {"scenefile", "viewer/user_files.cpp"}),
+    ("toml++", re.compile(r"^toml(\+\+|plusplus)?/|^toml\.hpp$|^toml\+\+$"), {"scenefile", "studio/user_files.cpp"}),
     ("CLI11", re.compile(r"^CLI/|^CLI11\.hpp$"), {"base/command_line.cpp"}),
     ("nlohmann-json", re.compile(r"^nlohmann/"), {"cli", "command", "bench"}),
     ("Boost", re.compile(r"^boost/"), {"reference"}),

@@ -6,9 +6,9 @@
 
 #include "scene/bodies.h"
 #include "scenefile/scene_file.h"
-#include "viewer/additions.h"
-#include "viewer/fly_camera.h"
-#include "viewer/view_state.h"
+#include "studio/additions.h"
+#include "studio/fly_camera.h"
+#include "studio/view_state.h"
 
 namespace {
 

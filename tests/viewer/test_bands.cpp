@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "viewer/bands.h"
+#include "studio/bands.h"
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 #include "image/image_file.h"
 #include "scenefile/scene_file.h"
+#include "studio/bookmarks.h"
 #include "support/temporary_folder.h"
-#include "viewer/bookmarks.h"
 
 namespace {
 

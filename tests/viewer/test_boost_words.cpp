@@ -1,7 +1,7 @@
 // A boost in words.
 #include <doctest/doctest.h>
 
-#include "viewer/boost_words.h"
+#include "studio/boost_words.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "viewer/comparison.h"
+#include "studio/comparison.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 
 #include "scene/bodies.h"
 #include "scenefile/scene_edit.h"
-#include "viewer/history.h"
+#include "studio/history.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "spacetime/registry.h"
-#include "viewer/embedding.h"
+#include "studio/embedding.h"
 
 namespace {
 

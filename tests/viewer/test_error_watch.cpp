@@ -9,7 +9,7 @@
 #include "compare/heat_map.h"
 #include "reference/frame_tracer.h"
 #include "reference/reference.h"
-#include "viewer/error_watch.h"
+#include "studio/error_watch.h"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "studio/fall.h"
 #include "support/costly.h"
-#include "viewer/fall.h"
 
 namespace {
 

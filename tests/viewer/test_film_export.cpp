@@ -1,7 +1,7 @@
 // What is said of a film that is being drawn.
 #include <doctest/doctest.h>
 
-#include "viewer/film_export.h"
+#include "studio/film_export.h"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include "observer/pose.h"
 #include "scene/projection.h"
 #include "spacetime/registry.h"
-#include "viewer/fly_camera.h"
+#include "studio/fly_camera.h"
 
 using namespace nullscope;
 using namespace nullscope::viewer;

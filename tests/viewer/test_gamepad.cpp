@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "viewer/gamepad.h"
+#include "studio/gamepad.h"
 
 namespace {
 

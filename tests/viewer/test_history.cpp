@@ -4,8 +4,8 @@
 #include "scene/bodies.h"
 #include "scenefile/scene_text.h"
 #include "scenefile/scene_writer.h"
-#include "viewer/comparison.h"
-#include "viewer/history.h"
+#include "studio/comparison.h"
+#include "studio/history.h"
 
 namespace {
 

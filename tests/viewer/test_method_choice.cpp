@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "base/assets.h"
-#include "viewer/method_choice.h"
+#include "studio/method_choice.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "scene/ray.h"
 #include "spacetime/registry.h"
-#include "viewer/number_words.h"
+#include "studio/number_words.h"
 
 namespace {
 

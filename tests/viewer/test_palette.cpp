@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "image/image_file.h"
-#include "viewer/palette.h"
+#include "studio/palette.h"
 
 using namespace nullscope;
 using namespace nullscope::viewer;

@@ -6,7 +6,7 @@
 
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_writer.h"
-#include "viewer/timeline.h"
+#include "studio/timeline.h"
 
 namespace {
 

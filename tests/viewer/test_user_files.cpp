@@ -7,9 +7,9 @@
 #include <fstream>
 
 #include "scenefile/scene_file.h"
+#include "studio/autosave.h"
+#include "studio/user_files.h"
 #include "support/temporary_folder.h"
-#include "viewer/autosave.h"
-#include "viewer/user_files.h"
 
 namespace {
 

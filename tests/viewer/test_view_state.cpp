@@ -1,4 +1,4 @@
-#include "viewer/view_state.h"
+#include "studio/view_state.h"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include "scene/bodies.h"
 #include "scenefile/picture_scene.h"
 #include "scenefile/scene_edit.h"
+#include "studio/history.h"
 #include "support/temporary_folder.h"
-#include "viewer/history.h"
 
 namespace {
 

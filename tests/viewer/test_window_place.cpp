@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "viewer/window_place.h"
+#include "studio/window_place.h"
 
 namespace {
 

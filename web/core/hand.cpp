@@ -8,7 +8,7 @@
 #include "observer/pose.h"
 #include "scene/projection.h"
 #include "spacetime/registry.h"
-#include "viewer/fly_camera.h"
+#include "studio/fly_camera.h"
 
 namespace nullscope::web {
 namespace {

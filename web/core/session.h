@@ -1,7 +1,7 @@
 // What the page shows: a scene, and what hands have changed of it.
 #pragma once
 #include "scene/scene.h"
-#include "viewer/fall.h"
+#include "studio/fall.h"
 
 namespace nullscope::web {
 

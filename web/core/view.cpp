@@ -11,10 +11,10 @@
 #include "core/session.h"
 #include "gl/gl.h"
 #include "platform/filters.h"
-#include "render/frontier.h"
 #include "render/renderer.h"
 #include "scene/picture_size.h"
 #include "scene/split.h"
+#include "shaderlib/frontier.h"
 
 namespace nullscope::web {
 namespace {

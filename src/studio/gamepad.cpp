@@ -1,4 +1,4 @@
-#include "viewer/gamepad.h"
+#include "studio/gamepad.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "viewer/view_state.h"
-#include "viewer/workshop.h"
+#include "studio/paint_job.h"
+#include "studio/view_state.h"
 
 namespace nullscope::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/film_export.h"
+#include "studio/film_export.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -12,7 +12,7 @@
 #include "base/atomic_file.h"
 #include "base/text.h"
 #include "scenefile/scene_writer.h"
-#include "viewer/user_files.h"
+#include "studio/user_files.h"
 
 namespace nullscope::viewer {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 #include "scene/scene.h"
-#include "viewer/child_process.h"
+#include "studio/child_process.h"
 
 namespace nullscope::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/additions.h"
+#include "studio/additions.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 
 #include "scene/bodies.h"
 #include "scenefile/scene_edit.h"
-#include "viewer/fly_camera.h"
-#include "viewer/view_state.h"
+#include "studio/fly_camera.h"
+#include "studio/view_state.h"
 
 namespace nullscope::viewer {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/user_files.h"
+#include "studio/user_files.h"
 
 #include <fmt/format.h>
 

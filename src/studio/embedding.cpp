@@ -1,4 +1,4 @@
-#include "viewer/embedding.h"
+#include "studio/embedding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "render/frontier.h"
-#include "viewer/view_state.h"
+#include "shaderlib/frontier.h"
+#include "studio/view_state.h"
 
 namespace nullscope::viewer {
 

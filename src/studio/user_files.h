@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/result.h"
-#include "viewer/number_words.h"
-#include "viewer/window_place.h"
+#include "studio/number_words.h"
+#include "studio/window_place.h"
 
 namespace nullscope::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/hidden_bodies.h"
+#include "studio/hidden_bodies.h"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "viewer/view_state.h"
+#include "studio/view_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@
 #include "scenefile/scene_text.h"
 #include "scenefile/scene_writer.h"
 #include "spacetime/registry.h"
-#include "viewer/autosave.h"
-#include "viewer/fly_camera.h"
+#include "studio/autosave.h"
+#include "studio/fly_camera.h"
 
 namespace nullscope::viewer {
 

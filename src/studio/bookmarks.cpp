@@ -1,4 +1,4 @@
-#include "viewer/bookmarks.h"
+#include "studio/bookmarks.h"
 
 #include <fmt/format.h>
 

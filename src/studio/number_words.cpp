@@ -1,4 +1,4 @@
-#include "viewer/number_words.h"
+#include "studio/number_words.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/error_watch.h"
+#include "studio/error_watch.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/window_place.h"
+#include "studio/window_place.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "render/frontier.h"
+#include "shaderlib/frontier.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/bands.h"
+#include "studio/bands.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "viewer/palette.h"
+#include "studio/palette.h"
 
 namespace nullscope::viewer {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/autosave.h"
+#include "studio/autosave.h"
 
 #include <fmt/format.h>
 #include <signal.h>
@@ -12,8 +12,8 @@
 #include "base/atomic_file.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
-#include "viewer/user_files.h"
-#include "viewer/view_state.h"
+#include "studio/user_files.h"
+#include "studio/view_state.h"
 
 namespace nullscope::viewer {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer/history.h"
+#include "studio/history.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <map>
 
 #include "scenefile/scene_text.h"
-#include "viewer/comparison.h"
+#include "studio/comparison.h"
 
 namespace nullscope::viewer {
 namespace {

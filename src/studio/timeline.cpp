@@ -1,4 +1,4 @@
-#include "viewer/timeline.h"
+#include "studio/timeline.h"
 
 #include <algorithm>
 #include <cmath>

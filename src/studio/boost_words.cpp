@@ -1,4 +1,4 @@
-#include "viewer/boost_words.h"
+#include "studio/boost_words.h"
 
 #include <fmt/format.h>
 

@@ -6,15 +6,15 @@
 
 #include "base/result.h"
 #include "plan/effects.h"
-#include "render/frontier.h"
 #include "scene/picture_size.h"
 #include "scene/scene.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/tour_file.h"
+#include "shaderlib/frontier.h"
 #include "spacetime/spacetime.h"
-#include "viewer/fall.h"
-#include "viewer/hidden_bodies.h"
-#include "viewer/number_words.h"
+#include "studio/fall.h"
+#include "studio/hidden_bodies.h"
+#include "studio/number_words.h"
 
 namespace nullscope::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/fly_camera.h"
+#include "studio/fly_camera.h"
 
 #include "spacetime/circular_orbit.h"
 

@@ -1,4 +1,4 @@
-#include "viewer/fall.h"
+#include "studio/fall.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "viewer/comparison.h"
+#include "studio/comparison.h"
 
 #include <fmt/format.h>
 

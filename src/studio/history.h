@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/view_state.h"
+#include "studio/view_state.h"
 
 namespace nullscope::viewer {
 

@@ -1,4 +1,4 @@
-#include "viewer/method_choice.h"
+#include "studio/method_choice.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/child_process.h"
+#include "studio/child_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,0 +1,20 @@
+// What the window asks of the painter.
+#pragma once
+#include <memory>
+
+#include "scene/scene.h"
+#include "shaderlib/method.h"
+
+namespace nullscope::viewer {
+
+struct PaintJob {
+    Scene scene;
+    Method method;
+    bool rays = false;          // ray data instead of a picture
+    double adaptation = 1.0;    // Renderer::set_adaptation
+    bool coarse_first = false;  // a coarse picture may come before the whole one, if that takes long
+    std::shared_ptr<const PaintJob> side_b =
+        nullptr;  // a second picture of the same size, by the same camera; has none itself
+};
+
+}  // namespace nullscope::viewer
