@@ -85,7 +85,8 @@ TEST_CASE("camera tables: a camera that moves along the radius sees what one see
         }
 }
 
-TEST_CASE("camera tables: a camera that moves along the radius costs less than a quarter of building them") {
+TEST_CASE("camera tables: a camera that moves along the radius costs less than a quarter of building them" *
+          test::costly()) {
     constexpr int kFrames = 62;        // two steps
     constexpr double kPart = 1.0 / 4;  // measured 0.09
     Scene scene;

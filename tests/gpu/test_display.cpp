@@ -55,7 +55,7 @@ TEST_CASE("display: tone curves, bloom and automatic exposure are those of the h
     });
 }
 
-TEST_CASE("display: bloom moves light and keeps its sum; linear output is without it") {
+TEST_CASE("display: bloom moves light and keeps its sum; linear output is without it" * test::costly()) {
     Image<float> spot(200, 120, 3);
     spot.at(97, 61)[1] = 1000.0f;
     const Image<float> spread = with_bloom(spot, 0.4);

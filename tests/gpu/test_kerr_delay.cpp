@@ -9,6 +9,7 @@
 #include "reference/frame_tracer.h"
 #include "render/frame_tables.h"
 #include "shadercore/core_trace.h"
+#include "support/costly.h"
 
 namespace {
 
@@ -46,7 +47,7 @@ TEST_CASE(
     CHECK(worst < kPromised);
 }
 
-TEST_CASE("kerr light time: the shader's text against the reference, to the sky and to a disc") {
+TEST_CASE("kerr light time: the shader's text against the reference, to the sky and to a disc" * test::costly()) {
     struct Worst {
         double off = 0;
         std::string where = "";

@@ -106,7 +106,7 @@ Apart apart(const RayFrame& one, const RayFrame& other, const CameraSpec& camera
     return result;
 }
 
-TEST_CASE("kerr observers: next to no spin each sees what the table shows it without") {
+TEST_CASE("kerr observers: next to no spin each sees what the table shows it without" * test::costly()) {
     using enum ObserverKind;
     const View views[] = {{kStatic, 0, 3, 1.3, 0.3, 1.6}, {kCarter, 0, 3, 1.3, 0.3, 1.6},
                           {kOrbit, 0, 4, 1.1, 0.5, 1.6},  {kCounterOrbit, 0, 4, 1.1, 0.5, 1.6},

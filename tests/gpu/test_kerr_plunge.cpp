@@ -102,7 +102,8 @@ TEST_CASE(
     });
 }
 
-TEST_CASE("kerr plunge: stations outside, on and inside the horizon are the reference's, disc and all") {
+TEST_CASE("kerr plunge: stations outside, on and inside the horizon are the reference's, disc and all" *
+          test::costly()) {
     on_one_context([](GpuSession& session) {
         const auto path = CameraPath::make(*load_scene(plunge_file()));
         REQUIRE(path);

@@ -43,7 +43,7 @@ std::set<int> check_frame(GpuSession& session, MeasuredOnce& measured, const Sce
     return seen;
 }
 
-TEST_CASE("many bodies: sixty-four balls of every motion, each pixel as the reference has it") {
+TEST_CASE("many bodies: sixty-four balls of every motion, each pixel as the reference has it" * test::costly()) {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
         Scene scene = *load_scene("swarm");

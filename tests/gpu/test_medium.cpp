@@ -74,7 +74,7 @@ TEST_CASE("medium: the five test fluxes of the Event Horizon Telescope's compari
     });
 }
 
-TEST_CASE("medium: a flux does not depend on what is for the eye") {
+TEST_CASE("medium: a flux does not depend on what is for the eye" * test::costly()) {
     constexpr double kSame = 1e-5;
     on_every_context([&](GpuSession& session) {
         double known = 0;

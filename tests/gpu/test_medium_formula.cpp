@@ -70,7 +70,7 @@ void check_closed(GpuSession& session, const char* name, const Scene& scene, con
 
 }  // namespace
 
-TEST_CASE("medium: closed forms of a thin sphere, a thick one and a slab") {
+TEST_CASE("medium: closed forms of a thin sphere, a thick one and a slab" * test::costly()) {
     on_every_context([&](GpuSession& session) {
         Scene thin = formula_scene("minkowski", 0, MediumEmission::kPowerLaw);
         thin.medium->emissivity = 1e-16;
@@ -140,7 +140,7 @@ TEST_CASE("medium: what one electron emits and how many there are may both have 
 }
 
 // Of cameras so far away that a step of the march is below the rounding of their distance.
-TEST_CASE("medium: from far away a thin sphere is its closed form, and holes dim it as from nearby") {
+TEST_CASE("medium: from far away a thin sphere is its closed form, and holes dim it as from nearby" * test::costly()) {
     constexpr double kFlux = 5e-4;
     on_every_context([&](GpuSession& session) {
         for (const double r : {120.0, 150.0, 1e3, 1e5, 1e7, 1e9}) {

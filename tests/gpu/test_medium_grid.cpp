@@ -87,7 +87,7 @@ TEST_CASE("medium grid: matter of a file about holes is the reference's" * test:
     });
 }
 
-TEST_CASE("medium grid: a fine grid of formulas is matter by these formulas") {
+TEST_CASE("medium grid: a fine grid of formulas is matter by these formulas" * test::costly()) {
     constexpr double kFlux = 1e-3, kPixel = 5e-3;  // trilinear between nodes: falls as the square of their distance
     GridForm form = form_of("boyer-lindquist", 0.9);
     form.rings = 120, form.polar = 61, form.around = 64;

@@ -69,7 +69,7 @@ TEST_CASE("ring view: every pixel of a picture is a number, however deep" * test
     });
 }
 
-TEST_CASE("ring view: the film of zoom ends where it began") {
+TEST_CASE("ring view: the film of zoom ends where it began" * test::costly()) {
     on_every_context([](GpuSession& session) {
         auto scene = load_scene("zoom");
         REQUIRE(scene);

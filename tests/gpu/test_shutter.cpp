@@ -106,7 +106,7 @@ TEST_CASE("shutter: the mean is displayed as a picture's own light" * test::cost
     });
 }
 
-TEST_CASE("shutter: in parts as at once, bit by bit") {
+TEST_CASE("shutter: in parts as at once, bit by bit" * test::costly()) {
     on_one_context([&](GpuSession& session) {
         Scene scene = scene_of(kTurns + "size = [100, 61]\n");
         scene.picture.sub_frames = 3, scene.picture.dither = true;

@@ -87,7 +87,7 @@ const std::vector<SidesCase>& sides_cases() {
     return all;
 }
 
-TEST_CASE("sides: hits, places and fates are the reference's at every pixel") {
+TEST_CASE("sides: hits, places and fates are the reference's at every pixel" * test::costly()) {
     MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
         Selection selection(12);  // none of the film's wormhole, whose table takes ten seconds: unit tests have it

@@ -51,7 +51,7 @@ Scene ring_scene(double scale, double r) {
     return scene;
 }
 
-TEST_CASE("thin rings: a line with the reference's light") {
+TEST_CASE("thin rings: a line with the reference's light" * test::costly()) {
     const auto disc = load_disc_image(DiscSpec{});
     REQUIRE(disc);
     on_one_context([&](GpuSession& session) {

@@ -70,7 +70,7 @@ TEST_CASE("unseen: bodies next to a horizon are the reference's" * test::costly(
     });
 }
 
-TEST_CASE("unseen: a ball that falls is seen no more in the end") {
+TEST_CASE("unseen: a ball that falls is seen no more in the end" * test::costly()) {
     on_every_context([&](GpuSession& session) {
         double before = INFINITY;
         for (const double time : {0.0, 30.0, 45.0, 120.0}) {

@@ -35,7 +35,7 @@ std::string bent_text(int nodes, bool moved) {
     });
 }
 
-TEST_CASE("warp: directions in a picture of 8192 px are those of the mesh's closed form to 0.1 px") {
+TEST_CASE("warp: directions in a picture of 8192 px are those of the mesh's closed form to 0.1 px" * test::costly()) {
     constexpr double kMost_px = 0.1;
     constexpr int kSide = 8192, kNodes = 257;
     const TemporaryFolder folder("warp");

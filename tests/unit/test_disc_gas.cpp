@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/disc_gas.h"
+#include "support/costly.h"
 
 namespace {
 
@@ -41,7 +42,7 @@ Ring ring_of(const DiscSpec& disc, double r, double whole, int count, std::mt199
 }
 
 // The ring's own cells and their neighbours are a few hundred numbers: that, and not the count of places, is what the mean is off by.
-TEST_CASE("disc gas: over time the mean of its light is 1 at every radius") {
+TEST_CASE("disc gas: over time the mean of its light is 1 at every radius" * test::costly()) {
     constexpr double kMean = 0.08, kMeanOfAll = 0.01;
     std::mt19937 random(11);
     const DiscSpec disc = disc_of(0.6);
@@ -74,7 +75,7 @@ TEST_CASE("disc gas: without contrast it is smooth, and more contrast spreads it
 }
 
 // Two copies that fade into each other would halve it in between.
-TEST_CASE("disc gas: its spread is the same at all times") {
+TEST_CASE("disc gas: its spread is the same at all times" * test::costly()) {
     constexpr double kBeat = 0.15;  // 1500 clumps and filaments of all sizes: a few large ones make most of it
     const DiscSpec disc = disc_of(0.4);
     std::mt19937 random(5);

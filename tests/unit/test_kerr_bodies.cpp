@@ -226,7 +226,7 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
     CHECK(late < kSameRay);
 }
 
-TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing before") {
+TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing before" * test::costly()) {
     constexpr int kParts = 24;        // of a step
     constexpr double kNearer = 1e-7;  // of the tracer's parameter, 1e-5 r_s at 10: what a march may come before
     for (const double spin : {0.9, 0.998})

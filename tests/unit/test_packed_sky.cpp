@@ -12,6 +12,7 @@
 #include "sky/cube.h"
 #include "sky/packed_sky.h"
 #include "sky/sky.h"
+#include "support/costly.h"
 #include "support/folders.h"
 
 using namespace nullscope;
@@ -118,7 +119,7 @@ TEST_CASE("packing_scale: the largest light stays below 65504, and the least kee
     CHECK(packing_scale(SkyFormat::kSmallFloats, 1e9) == 1.0);
 }
 
-TEST_CASE("pack_sky: the texels of build_sky, rounded; threads do not matter") {
+TEST_CASE("pack_sky: the texels of build_sky, rounded; threads do not matter" * test::costly()) {
     constexpr int kFace = 256;
     const auto painter = SkyPainter::make({}, kAssets, kFace, 0);
     const auto floats = build_sky({}, kAssets, kFace);
@@ -141,7 +142,7 @@ TEST_CASE("pack_sky: the texels of build_sky, rounded; threads do not matter") {
     CHECK(levels_of<std::uint32_t>(*painter, false) == small);
 }
 
-TEST_CASE("every mip level of a sky has the light of the finest") {
+TEST_CASE("every mip level of a sky has the light of the finest" * test::costly()) {
     constexpr double kHalf = 5e-4, kSmall = 0.016;  // half a step of what they are stored as: 2^-11 and 2^-6
     constexpr int kFace = 256;
     const auto painter = SkyPainter::make({}, kAssets, kFace, 0);

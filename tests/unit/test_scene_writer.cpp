@@ -9,6 +9,7 @@
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_text.h"
 #include "scenefile/scene_writer.h"
+#include "support/costly.h"
 #include "support/random_scene.h"
 
 using namespace nullscope;
@@ -50,7 +51,7 @@ TEST_CASE("scene writer: scenes that ship are the same when they are read again"
     }
 }
 
-TEST_CASE("scene writer: random scenes are the same when they are read again") {
+TEST_CASE("scene writer: random scenes are the same when they are read again" * test::costly()) {
     constexpr int kScenes = 500;
     std::mt19937 random(23);
     const auto infos = shipped_scenes();

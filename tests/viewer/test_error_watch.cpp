@@ -10,6 +10,7 @@
 #include "reference/frame_tracer.h"
 #include "reference/reference.h"
 #include "studio/error_watch.h"
+#include "support/costly.h"
 
 namespace {
 
@@ -136,7 +137,7 @@ TEST_CASE("errors: a frame smaller than the coarse grids is measured as well") {
 }
 
 // A task at a time: the reference traces many rays in less time each.
-TEST_CASE("errors: the rays of a task are asked for at once, some 1.5 a pixel of all tasks") {
+TEST_CASE("errors: the rays of a task are asked for at once, some 1.5 a pixel of all tasks" * test::costly()) {
     const Scene scene = small_scene(12, 640, 360);
     const auto tracer = reference::FrameTracer::make(scene);
     REQUIRE(tracer);
