@@ -24,6 +24,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 SLOW_S = 60           # processor seconds of the shader: the clock would blame a scene for what else the machine does
 PATIENCE = 4          # times that for the reference
+CLUMPS_STEP = 0.1     # medium.step at which clumps of gas are resolved (docs/matter.md)
 DEADLOCK = 60         # times the processor seconds, on the clock: it waits for what never comes
 PICTURE = "32x18"
 NEEDS = re.compile(r'(?:[Nn]eeds|[Ff]or) (\w+) = ((?:"[\w-]+"(?:, | or )?)+)')
@@ -208,11 +209,13 @@ CLEAR = re.compile(r"^nullscope: now\.toml:\d+: ([\w.\[\]-]+)(?::| =) (.*); allo
 
 
 def finer_than_pixels(scene):
-    """Whether there are patterns, of which the shader has the mean over a pixel and the reference one place."""
+    """Whether there are patterns, of which the shader has the mean over a pixel and the reference one place, or clumps within a step."""
     tables = itertools.chain.from_iterable(table if isinstance(table, list) else [table] for table in scene.values())
     kinds = {table.get("texture") for table in tables} | {scene.get("sky", {}).get("kind", "stars"), scene.get("disc", {}).get("texture", "image")
                                                           if "disc" in scene else None}
-    return not kinds <= {None, "plain", "black"}
+    gas = scene.get("medium", {})
+    clumps = "medium" in scene and gas.get("kind", "gas") == "gas" and gas.get("gas_contrast", 0.7) > 0
+    return not kinds <= {None, "plain", "black"} or clumps and gas.get("step", 1.0) > CLUMPS_STEP
 
 
 def without(scene, section, key=None, index=0):
