@@ -20,8 +20,8 @@
 #include "scene/picture_size.h"
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
-#include "scenefile/scene_keys.h"
 #include "scenefile/scene_value.h"
+#include "scenefile/sections.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 
@@ -29,7 +29,8 @@ namespace nullscope {
 namespace {
 
 using Faults = std::vector<SceneFault>;
-constexpr double kWidestPlane = 1e13;  // at distance 1: fov a rounding below 180 degrees
+constexpr const char* kCamera = "camera";  // the section
+constexpr double kWidestPlane = 1e13;      // at distance 1: fov a rounding below 180 degrees
 using World = std::shared_ptr<const Spacetime>;
 
 // nullptr: check_place() says what is wrong with it.
@@ -44,21 +45,26 @@ void append(Faults& faults, Faults more) {
 
 Faults one(const Error& error, std::string at) { return {{error.key, error.what, error.allowed, std::move(at)}}; }
 
-// Keys that others' values rule out, or call for: of the camera, or all others.
-Faults check_keys(const Scene& scene, const GivenKeys& given, bool camera) {
+// Keys of a section that others' values rule out, or call for.
+Faults check_keys(std::string_view section, const std::string& label, const Scene& holder, const GivenKeys& given) {
     Faults faults;
-    for_each_section(scene, [&](std::string_view section, const std::string& label, const Scene& holder) {
-        if ((section == "camera") != camera) return;
-        for (const SceneKey& key : scene_keys()) {
-            if (key.section != section || key.meant == nullptr) continue;
-            const std::string name = fmt::format("{}.{}", label, key.key);
-            const bool meant = key.meant(holder);
-            if (!meant && given(name))
-                faults.push_back({name, "is not used here", fmt::format("with {} only", key.with)});
-            if (meant && key.needed && !given(name))
-                faults.push_back({name, fmt::format("missing, but {}", key.with), allowed_text(key),
-                                  fmt::format("{}.{}", label, key.with.substr(0, key.with.find(' ')))});
-        }
+    for (const SceneKey& key : keys_of(section)) {
+        if (key.meant == nullptr) continue;
+        const std::string name = fmt::format("{}.{}", label, key.key);
+        const bool meant = key.meant(holder);
+        if (!meant && given(name)) faults.push_back({name, "is not used here", fmt::format("with {} only", key.with)});
+        if (meant && key.needed && !given(name))
+            faults.push_back({name, fmt::format("missing, but {}", key.with), allowed_text(key),
+                              fmt::format("{}.{}", label, key.with.substr(0, key.with.find(' ')))});
+    }
+    return faults;
+}
+
+// Of all sections but the camera's, which is checked before them.
+Faults check_other_keys(const Scene& scene, const GivenKeys& given) {
+    Faults faults;
+    for_each_section(scene, [&](const Section& section, const std::string& label, const Scene& holder) {
+        if (section.name != kCamera) append(faults, check_keys(section.name, label, holder, given));
     });
     return faults;
 }
@@ -308,29 +314,6 @@ Faults of_right_half(Faults faults) {
 
 }  // namespace
 
-void for_each_section(
-    const Scene& scene,
-    const std::function<void(std::string_view section, const std::string& label, const Scene& holder)>& f) {
-    f("", "", scene);
-    for (const char* section : {"spacetime", "camera", "sky", "far_sky", "light", "picture", "object"})
-        f(section, section, scene);
-    if (scene.camera.zoom) f("zoom", "zoom", scene);
-    if (scene.split) f("split", "split", scene);
-    if (scene.disc) f("disc", "disc", scene);
-    if (scene.medium) f("medium", "medium", scene);
-    if (scene.path) f("path", "path", scene);
-    for (std::size_t i = 0; i < scene.spots.size(); ++i) {
-        Scene holder;
-        holder.spots = {scene.spots[i]};
-        f("spot", section_label("spot", i), holder);
-    }
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        Scene holder;
-        holder.bodies = {scene.bodies[i]};
-        f(kind_of(scene.bodies[i]).key, body_section(scene, i), holder);
-    }
-}
-
 void settle_size(Scene& scene, const GivenKeys& given) {
     if (scene.camera.projection == Projection::kCube && !given("camera.size"))
         scene.camera.width = kCubeWidth, scene.camera.height = kCubeWidth / 3 * 2;
@@ -349,7 +332,7 @@ void settle_defaults(Scene& scene, const GivenKeys& given) {
 }
 
 std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given) {
-    Faults faults = check_keys(scene, given, true);
+    Faults faults = check_keys(kCamera, kCamera, scene, given);
     for (const char* other : {"camera.plane_width", "camera.focal_distance"})
         if (given("camera.fov") && given(other))
             faults.push_back({"camera.fov", fmt::format("says the same as {}", other),
@@ -375,7 +358,7 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     if (other)
         append(faults, of_right_half(side_faults(*other, scene))),
             append(faults, of_right_half(medium_faults(*other, scene)));
-    append(faults, check_keys(scene, given, false));
+    append(faults, check_other_keys(scene, given));
     append(faults, check_spots(scene));
     if (!faults.empty()) return faults;
     append(faults, check_scale_bar(scene, world));

@@ -2,7 +2,6 @@
 #pragma once
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "scene/scene.h"
@@ -12,12 +11,6 @@ namespace nullscope {
 
 // Whether the file has a key, by its full name.
 using GivenKeys = std::function<bool(const std::string& name)>;
-
-// f(section, label, scene) for each section that is there, with a scene that has it last of its kind. label: as a file and its messages call
-// it, "ball[2]".
-void for_each_section(
-    const Scene& scene,
-    const std::function<void(std::string_view section, const std::string& label, const Scene& holder)>& f);
 
 // Defaults that depend on other keys, of those that are not given: of the picture's size, before the camera is checked, and of the rest.
 void settle_size(Scene& scene, const GivenKeys& given);

@@ -2,29 +2,20 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
-#include "plan/body_kind.h"
-#include "scenefile/scene_check.h"
+#include "scene/bodies.h"
 #include "scenefile/scene_file.h"
-#include "scenefile/scene_keys.h"
 #include "scenefile/scene_writer.h"
+#include "scenefile/sections.h"
 
 namespace nullscope {
 namespace {
 
-const BodyKind* body_kind(std::string_view section) {
-    const auto kinds = body_kinds();
-    const auto found = std::ranges::find(kinds, section, [](const BodyKind* kind) { return kind->key; });
-    return found == kinds.end() ? nullptr : *found;
-}
-
-// Where bodies of this kind are in scene.bodies.
-std::vector<std::size_t> places_of(const Scene& scene, const BodyKind& kind) {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        if (&kind_of(scene.bodies[i]) == &kind) places.push_back(i);
-    return places;
+// Where this section is in the list of those that there may be several of.
+std::optional<std::size_t> place_in_list(const Scene& scene, const SectionRef& at) {
+    const Section* section = find_section(at.section);
+    const auto places = section != nullptr ? places_of(scene, *section) : std::vector<std::size_t>();
+    return at.index < places.size() ? std::optional(places[at.index]) : std::nullopt;
 }
 
 // The error is one of the scene, not of the text that is read again.
@@ -43,18 +34,21 @@ Result<Scene> checked(const Scene& scene) {
 std::vector<SectionRef> scene_sections(const Scene& scene) {
     std::vector<SectionRef> sections;
     std::map<std::string, std::size_t, std::less<>> seen;
-    for_each_section(scene, [&](std::string_view section, const std::string& label, const Scene&) {
-        sections.push_back({std::string(section), seen[std::string(section)]++, label});
+    for_each_section(scene, [&](const Section& section, const std::string& label, const Scene&) {
+        sections.push_back({std::string(section.name), seen[std::string(section.name)]++, label});
     });
     return sections;
 }
 
+std::string last_label(const Scene& scene, std::string_view section) {
+    return section_label(section, count_of(scene, *find_section(section)) - 1);
+}
+
 void exchange_with_last(Scene& scene, const SectionRef& at) {
-    if (at.section == "spot" && at.index < scene.spots.size()) std::swap(scene.spots[at.index], scene.spots.back());
-    if (const BodyKind* kind = body_kind(at.section)) {
-        const auto places = places_of(scene, *kind);
-        if (at.index < places.size()) std::swap(scene.bodies[places[at.index]], scene.bodies[places.back()]);
-    }
+    const auto place = place_in_list(scene, at);
+    if (!place) return;
+    const Section& section = *find_section(at.section);
+    section.list->exchange(scene, *place, places_of(scene, section).back());
 }
 
 Scene section_holder(const Scene& scene, const SectionRef& at) {
@@ -91,48 +85,43 @@ Result<CameraSpec> camera_of_view(const std::string& line, const Scene& scene) {
 }
 
 std::vector<std::string> optional_sections() {
-    std::vector<std::string> sections = {"disc", "spot", "medium", "split", "path", "zoom"};
-    for (const BodyKind* kind : body_kinds()) sections.emplace_back(kind->key);
-    return sections;
+    std::vector<std::string> names;
+    for (const Section& section : sections())
+        if (section.optional()) names.emplace_back(section.name);
+    return names;
 }
 
-bool is_of_several(std::string_view section) { return section == "spot" || body_kind(section) != nullptr; }
+bool is_of_several(std::string_view name) {
+    const Section* section = find_section(name);
+    return section != nullptr && section->list != nullptr;
+}
 
-Result<Scene> with_section(const Scene& scene, std::string_view section) {
+bool can_be_added(const Scene& scene, std::string_view name) {
+    const Section* section = find_section(name);
+    return section != nullptr && section->optional() && (section->list != nullptr || count_of(scene, *section) == 0);
+}
+
+Result<Scene> with_section(const Scene& scene, std::string_view name) {
     Scene edited = scene;
-    if (section == "disc" && !edited.disc) edited.disc.emplace();
-    if (section == "medium" && !edited.medium) edited.medium.emplace();
-    if (section == "split" && !edited.split) edited.split = SpacetimeSpec{"minkowski", {}};
-    if (section == "path" && !edited.path) edited.path.emplace();
-    if (section == "zoom" && !edited.camera.zoom) edited.camera.zoom.emplace();
-    if (section == "spot") edited.spots.emplace_back();
-    if (const BodyKind* kind = body_kind(section)) edited.bodies.push_back(kind->make());
+    if (can_be_added(scene, name)) {
+        const Section& section = *find_section(name);
+        section.add(edited);
+        if (section.propose != nullptr) section.propose(edited);
+    }
     return checked(edited);
 }
 
 Result<Scene> with_copy(const Scene& scene, const SectionRef& at) {
     Scene edited = scene;
-    if (at.section == "spot" && at.index < edited.spots.size())
-        edited.spots.insert(edited.spots.begin() + static_cast<std::ptrdiff_t>(at.index) + 1, scene.spots[at.index]);
-    if (const BodyKind* kind = body_kind(at.section))
-        if (const auto places = places_of(edited, *kind); at.index < places.size())
-            edited.bodies.insert(edited.bodies.begin() + static_cast<std::ptrdiff_t>(places[at.index]) + 1,
-                                 scene.bodies[places[at.index]]);
+    if (const auto place = place_in_list(scene, at)) find_section(at.section)->list->repeat(edited, *place);
     return checked(edited);
 }
 
 Result<Scene> without_section(const Scene& scene, const SectionRef& at) {
     Scene edited = scene;
-    if (at.section == "disc") edited.disc.reset();
-    if (at.section == "medium") edited.medium.reset();
-    if (at.section == "split") edited.split.reset();
-    if (at.section == "path") edited.path.reset();
-    if (at.section == "zoom") edited.camera.zoom.reset();
-    if (at.section == "spot" && at.index < edited.spots.size())
-        edited.spots.erase(edited.spots.begin() + static_cast<std::ptrdiff_t>(at.index));
-    if (const BodyKind* kind = body_kind(at.section))
-        if (const auto places = places_of(edited, *kind); at.index < places.size())
-            edited.bodies.erase(edited.bodies.begin() + static_cast<std::ptrdiff_t>(places[at.index]));
+    const Section* section = find_section(at.section);
+    if (section != nullptr && section->remove != nullptr) section->remove(edited);
+    if (const auto place = place_in_list(scene, at)) section->list->erase(edited, *place);
     return checked(edited);
 }
 

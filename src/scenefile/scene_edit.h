@@ -18,6 +18,7 @@ struct SectionRef {
     std::string label;
 };
 std::vector<SectionRef> scene_sections(const Scene& scene);
+std::string last_label(const Scene& scene, std::string_view section);  // of the last of these, which there must be
 
 // A scene that has this section last of its kind, as the key table's functions want it; and the same where a file says no more of the section
 // than words (KeyType::kChoice).
@@ -36,9 +37,11 @@ Result<Scene> savable(const Scene& scene);
 // that is no view.
 Result<CameraSpec> camera_of_view(const std::string& line, const Scene& scene);
 
-// Sections that can be there or not: split, disc, path, and of several: spot and the kinds of bodies. Errors: as above.
+// Sections that a scene may do without (Section::optional), by name, and whether one more can be added: of what there is once, if it is not
+// there. Errors: as above.
 std::vector<std::string> optional_sections();
 bool is_of_several(std::string_view section);
+bool can_be_added(const Scene& scene, std::string_view section);
 Result<Scene> with_section(const Scene& scene, std::string_view section);
 Result<Scene> with_copy(const Scene& scene, const SectionRef& at);  // of several: a second one right behind it
 Result<Scene> without_section(const Scene& scene, const SectionRef& at);

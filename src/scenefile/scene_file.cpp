@@ -9,12 +9,12 @@
 
 #include "base/atomic_file.h"
 #include "base/text.h"
-#include "plan/body_kind.h"
 #include "scene/bodies.h"
 #include "scenefile/path_csv.h"
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_value.h"
+#include "scenefile/sections.h"
 #include "scenefile/toml_text.h"
 #include "spacetime/registry.h"
 
@@ -25,18 +25,31 @@ namespace fs = std::filesystem;
 
 // What files written for older versions may say, and the name that it has now.
 struct OldName {
-    std::string_view section, name, now;
+    std::string_view full, now;
 };
-constexpr OldName kOldNames[] = {{"", "beside", "split"},
-                                 {"sphere", "swing", "amplitude"},
-                                 {"sky", "faintest", "magnitude_limit"},
-                                 {"sky", "even_stars", "uniform_stars"},
-                                 {"path", "look", "orientation"}};
+constexpr OldName kOldNames[] = {{".beside", "split"},
+                                 {"sphere.swing", "amplitude"},
+                                 {"sky.faintest", "magnitude_limit"},
+                                 {"sky.even_stars", "uniform_stars"},
+                                 {"path.look", "orientation"}};
 
 std::string_view name_now(std::string_view section, std::string_view name) {
-    for (const OldName& old : kOldNames)
-        if (old.section == section && old.name == name) return old.now;
-    return name;
+    const auto old = std::ranges::find(kOldNames, fmt::format("{}.{}", section, name), &OldName::full);
+    return old != std::end(kOldNames) ? old->now : name;
+}
+
+const SceneKey* find_key(std::string_view section, std::string_view name) {
+    const auto keys = keys_of(section);
+    const auto key = std::ranges::find(keys, name, &SceneKey::key);
+    return key != keys.end() ? &*key : nullptr;
+}
+
+// The sections that name a metric, and which: null while the file names none that is known.
+std::map<std::string, const MetricEntry*, std::less<>> default_metrics() {
+    std::map<std::string, const MetricEntry*, std::less<>> metrics;
+    for (const Section& section : sections())
+        if (section.spacetime) metrics.emplace(section.name, find_metric(SpacetimeSpec{}.metric));
+    return metrics;
 }
 
 int line_of(const toml::key& key) { return static_cast<int>(key.source().begin.line); }
@@ -44,9 +57,9 @@ int line_of(const toml::key& key) { return static_cast<int>(key.source().begin.l
 // What may stand in a section; at the top level also the sections. metric: of a section that names one.
 std::vector<std::string> words_of(std::string_view section, const MetricEntry* metric) {
     std::vector<std::string> words;
-    for (const SceneKey& key : scene_keys()) {
-        const std::string_view word = key.section == section ? key.key : section.empty() ? key.section : "";
-        if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end()) words.emplace_back(word);
+    for (const SceneKey& key : section.empty() ? scene_keys() : keys_of(section)) {
+        const std::string_view word = section.empty() && !key.section.empty() ? key.section : key.key;
+        if (std::find(words.begin(), words.end(), word) == words.end()) words.emplace_back(word);
     }
     if (metric != nullptr) {
         for (const MetricParameter& parameter : metric->parameters) words.emplace_back(parameter.name);
@@ -76,8 +89,9 @@ public:
 
 private:
     bool read_format(const toml::table& root);
-    bool read_list(std::string_view section, const toml::node& node);
-    void read_section(std::string_view section, const toml::table& table, const std::string& label);
+    bool read_list(const Section& section, const toml::node& node);
+    void read_section(const Section& section, const toml::table& table, const std::string& label);
+    bool read_inner(const Section& section, std::string_view name, const toml::node& node);
     // label: the section's, as messages call it: "ball[2]".
     void read_key(std::string_view section, const toml::key& name, const toml::node& node, std::string_view label);
     void read_path_keys(const toml::node& node);
@@ -90,14 +104,12 @@ private:
     SceneFolders folders_;
     Scene scene_;
     fs::path path_file_;  // of path.file
-    // The sections that name a metric, and which: null while the file names none that is known.
-    std::map<std::string, const MetricEntry*, std::less<>> metrics_ = {
-        {"spacetime", find_metric(SpacetimeSpec{}.metric)}, {"split", find_metric(SpacetimeSpec{}.metric)}};
+    std::map<std::string, const MetricEntry*, std::less<>> metrics_ = default_metrics();
     const MetricEntry* metric_of(std::string_view section) const {
         const auto found = metrics_.find(section);
         return found != metrics_.end() ? found->second : nullptr;
     }
-    SpacetimeSpec& spec_of(std::string_view section) { return section == "split" ? *scene_.split : scene_.spacetime; }
+    SpacetimeSpec& spec_of(std::string_view section) { return find_section(section)->spacetime.of(scene_); }
     std::map<std::string, int> lines_;  // of the keys that are there, by full name
     const GivenKeys given_ = [this](const std::string& name) { return lines_.contains(name); };
     std::map<std::string, int> sections_;  // lines where sections begin
@@ -140,16 +152,14 @@ void SceneReader::report_unknown(std::string_view section, const toml::key& name
 
 void SceneReader::read_key(std::string_view section, const toml::key& name, const toml::node& node,
                            std::string_view label) {
-    const auto rows = scene_keys();
     const std::string_view word = name_now(section, name.str());
-    const auto row = std::find_if(rows.begin(), rows.end(),
-                                  [&](const SceneKey& key) { return key.section == section && key.key == word; });
-    const bool of_metric = row == rows.end() && metrics_.contains(section);
+    const SceneKey* row = find_key(section, word);
+    const bool of_metric = row == nullptr && metrics_.contains(section);
     const MetricEntry* metric = metric_of(section);
     if (of_metric && metric == nullptr) return;  // the unknown metric is what will be reported
-    const std::optional<SceneKey> key = row != rows.end() ? *row
-                                        : of_metric       ? parameter_key(section, name.str(), *metric)
-                                                          : std::nullopt;
+    const std::optional<SceneKey> key = row != nullptr ? *row
+                                        : of_metric    ? parameter_key(section, name.str(), *metric)
+                                                       : std::nullopt;
     if (!key) return report_unknown(section, name);
     const std::string full = section.empty() ? full_name(*key) : fmt::format("{}.{}", label, key->key);
     if (word != name.str() && given_(full))
@@ -169,47 +179,38 @@ void SceneReader::read_key(std::string_view section, const toml::key& name, cons
 }
 
 // What a scene may have several of, [[ball]], and one, [ball]. False: it is no list of sections.
-bool SceneReader::read_list(std::string_view section, const toml::node& node) {
-    const auto kinds = body_kinds();
-    const auto kind =
-        std::find_if(kinds.begin(), kinds.end(), [&](const BodyKind* one) { return one->key == section; });
+bool SceneReader::read_list(const Section& section, const toml::node& node) {
     const toml::array* list = node.as_array();
-    if ((kind == kinds.end() && section != "spot") || list == nullptr || !list->is_array_of_tables()) return false;
+    if (section.list == nullptr || list == nullptr || !list->is_array_of_tables()) return false;
     for (std::size_t i = 0; i < list->size(); ++i)
-        read_section(section, *list->get_as<toml::table>(i), section_label(section, i));
+        read_section(section, *list->get_as<toml::table>(i), section_label(section.name, i));
     return true;
 }
 
-void SceneReader::read_section(std::string_view section, const toml::table& table, const std::string& label) {
+void SceneReader::read_section(const Section& section, const toml::table& table, const std::string& label) {
     const int line = std::max(static_cast<int>(table.source().begin.line), 1);
-    if (section == "split") scene_.split.emplace();
-    if (section == "disc") scene_.disc.emplace();
-    if (section == "spot") scene_.spots.emplace_back();
-    if (section == "medium") scene_.medium.emplace();
-    for (const BodyKind* kind : body_kinds())
-        if (section == kind->key) scene_.bodies.push_back(kind->make());
-    if (section == "path") scene_.path.emplace();
-    if (section == "zoom") scene_.camera.zoom.emplace();
-    if (scene_.bodies.size() > kMostBodies || scene_.spots.size() > kMostSpots)
-        return report(line, section, "one too many", section == "spot" ? "at most 64 [[spot]]" : "at most 64 bodies");
+    if (section.optional()) section.add(scene_);
+    if (const SectionList* list = section.list; list != nullptr && list->size(scene_) > list->most)
+        return report(line, section.name, "one too many", fmt::format("at most {} {}", list->most, list->words));
     sections_[label] = line;
-    const auto of_metric = metrics_.find(section);
-    if (const auto metric = table.find("metric"); of_metric != metrics_.end() && metric != table.end()) {
-        read_key(section, metric->first, metric->second, section);  // first: it decides which other keys there are
-        of_metric->second = reports_.empty() ? find_metric(spec_of(section).metric) : nullptr;
-    }
-    const auto projection = section == "camera" ? table.find("projection") : table.end();
-    if (projection != table.end())
-        read_key(section, projection->first, projection->second, label);  // first: it decides what fov means
-    for (const auto& [name, node] : table) {
-        if (section == "path" && name.str() == "key") continue;  // read_path_keys
-        if (section == "camera" && name.str() == "projection") continue;
-        if (const toml::table* zoom = node.as_table(); section == "camera" && name.str() == "zoom" && zoom != nullptr) {
-            read_section("zoom", *zoom, "zoom");  // a view in one line: camera = { r = 9, zoom = { depth = 3 } }
-            continue;
-        }
-        if (of_metric == metrics_.end() || name.str() != "metric") read_key(section, name, node, label);
-    }
+    const auto first = table.find(section.first);
+    if (first != table.end()) read_key(section.name, first->first, first->second, label);
+    if (const auto metric = metrics_.find(section.name); metric != metrics_.end() && first != table.end())
+        metric->second = reports_.empty() ? find_metric(spec_of(section.name).metric) : nullptr;
+    for (const auto& [name, node] : table)
+        if (name.str() != section.first && !read_inner(section, name.str(), node))
+            read_key(section.name, name, node, label);
+}
+
+// What stands in a section's table and is no key of it: a section in one line, camera = { r = 9, zoom = { depth = 3 } }, and [[path.key]],
+// which read_path_keys() reads.
+bool SceneReader::read_inner(const Section& section, std::string_view name, const toml::node& node) {
+    if (!section.inner.empty() && name == section.inner) return true;
+    const toml::table* table = node.as_table();
+    const Section* within = table != nullptr ? find_section(name) : nullptr;
+    if (within == nullptr || within->within.empty() || within->within != section.name) return false;
+    read_section(*within, *table, std::string(name));
+    return true;
 }
 
 // [[path.key]]: the camera's own keys, those of [zoom], and the frame where they hold. What a key leaves out is as in the one before it, and as in [camera]
@@ -231,7 +232,7 @@ void SceneReader::read_path_keys(const toml::node& node) {
         for (const auto& [name, value] : table) {
             const bool time = name.str() == "time";
             if (!time && name.str() != "frame") {
-                const bool zooms = name.str() == "depth" || name.str() == "angle";
+                const bool zooms = find_key("zoom", name.str()) != nullptr;
                 if (zooms && !scene_.camera.zoom) scene_.camera.zoom.emplace();
                 const char* section = zooms ? "zoom" : "camera";
                 read_key(section, name, value, section);
@@ -288,16 +289,15 @@ Result<Scene> SceneReader::read(const toml::table& root) {
     const std::vector<std::string> words = words_of("", nullptr);
     for (const auto& [name, node] : root) {
         const std::string word(name_now("", name.str()));
-        const auto is_section = [&](const SceneKey& key) { return key.section == word; };
-        const bool section = !word.empty() && std::any_of(scene_keys().begin(), scene_keys().end(), is_section);
-        if (const toml::table* table = node.as_table(); section && table != nullptr) {
+        const Section* section = word.empty() ? nullptr : find_section(word);
+        if (const toml::table* table = node.as_table(); section != nullptr && table != nullptr) {
             if (sections_.contains(word))
                 report(line_of(name), word, "given twice, once by its old name", "once");
             else
-                read_section(word, *table, word);
-        } else if (section && read_list(word, node)) {
+                read_section(*section, *table, word);
+        } else if (section != nullptr && read_list(*section, node)) {
             continue;
-        } else if (section) {
+        } else if (section != nullptr) {
             report(line_of(name), word, "must be a section", fmt::format("[{}]", word));
         } else {
             read_key("", name, node, "");

@@ -10,6 +10,7 @@
 #include "plan/feature.h"
 #include "scene/projection.h"
 #include "scenefile/body_keys.h"
+#include "scenefile/sections.h"
 
 namespace nullscope {
 namespace {
@@ -387,6 +388,7 @@ std::span<const SceneKey> scene_keys() {
         for (const auto group :
              {light_features(), disc_features(), bodies_features(), medium_features(), picture_features()})
             for (const Feature& feature : group) all.insert(all.end(), feature.keys.begin(), feature.keys.end());
+        for (const Section& section : sections()) all.insert(all.end(), section.keys.begin(), section.keys.end());
         return all;
     }();
     return keys;

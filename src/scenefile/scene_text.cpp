@@ -4,8 +4,7 @@
 
 #include <string_view>
 
-#include "scenefile/scene_check.h"
-#include "scenefile/scene_keys.h"
+#include "scenefile/sections.h"
 
 namespace nullscope {
 namespace {
@@ -34,8 +33,8 @@ std::string canonical_words(const SceneKey& key, const KeyValue& value) {
 std::vector<SceneLine> scene_lines(const Scene& scene) {
     std::vector<SceneLine> lines;
     const auto add_section = [&](std::string_view section, const std::string& label, const Scene& holder) {
-        for (const SceneKey& key : scene_keys()) {
-            if (key.section != section || !key.member.readable()) continue;
+        for (const SceneKey& key : keys_of(section)) {
+            if (!key.member.readable()) continue;
             const KeyValue value = key.member.get(holder);
             lines.push_back({label.empty() ? std::string(key.key) : fmt::format("{}.{}", label, key.key),
                              canonical_words(key, value), value.path});
@@ -47,9 +46,12 @@ std::vector<SceneLine> scene_lines(const Scene& scene) {
         for (const auto& [name, text] : spec.parameters.formulas)
             lines.push_back({fmt::format("{}.{}", section, name), text, {}});
     };
-    for_each_section(scene, add_section);
-    add_parameters("spacetime", scene.spacetime);
-    if (scene.split) add_parameters("split", *scene.split);
+    for_each_section(scene, [&](const Section& section, const std::string& label, const Scene& holder) {
+        add_section(section.name, label, holder);
+    });
+    for (const Section& section : sections())
+        if (section.spacetime && count_of(scene, section) > 0)
+            add_parameters(std::string(section.name), section.spacetime.of(scene));
     for (std::size_t i = 0; scene.path && i < scene.path->keys.size(); ++i) {
         const PathKey& key = scene.path->keys[i];
         const std::string label = fmt::format("path.key[{}]", i);

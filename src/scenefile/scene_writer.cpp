@@ -11,12 +11,10 @@
 #include <vector>
 
 #include "base/text.h"
-#include "plan/body_kind.h"
-#include "scene/bodies.h"
 #include "scene/projection.h"
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_edit.h"
-#include "scenefile/scene_keys.h"
+#include "scenefile/sections.h"
 #include "scenefile/toml_text.h"
 
 namespace nullscope {
@@ -130,9 +128,9 @@ public:
             has_fov(scene.camera) && (!scene.path || std::ranges::all_of(scene.path->keys, has_fov, &PathKey::camera));
     }
     std::string text() {
-        for_each_section(scene_, [this](std::string_view section, const std::string&, const Scene& holder) {
+        for_each_section(scene_, [this](const Section& section, const std::string&, const Scene& holder) {
             add_section(section, holder);
-            if (section == "path") add_path_keys();
+            if (!section.inner.empty()) add_path_keys();
         });
         return text_;
     }
@@ -143,11 +141,10 @@ private:
     // Its lines where they differ from what `before` has.
     std::string lines(std::string_view section, const Scene& holder, const Scene& before, bool words) {
         std::string lines;
-        const bool camera = section == "camera";
         bool by_angle = false;
-        for (const SceneKey& key : scene_keys()) {
-            if (key.section != section || (key.meant != nullptr && !key.meant(holder))) continue;
-            if (camera && key.key == "fov" && by_fov_ && holder.camera.focal_distance == 1.0 &&
+        for (const SceneKey& key : keys_of(section)) {
+            if (key.meant != nullptr && !key.meant(holder)) continue;
+            if (by_fov_ && full_name(key) == "camera.fov" && holder.camera.focal_distance == 1.0 &&
                 (holder.camera.plane_width != before.camera.plane_width || before.camera.focal_distance != 1.0))
                 if (const auto fov = fov_text(holder.camera, as_.folders != nullptr)) {
                     lines += fmt::format("fov = {}\n", *fov), by_angle = true;
@@ -187,25 +184,16 @@ private:
         text_ += fmt::format("{}\n{}", head, lines);
     }
 
-    void add_section(std::string_view section, const Scene& holder) {
-        std::string found = lines(section, holder, section_defaults(holder, section), true);
-        if (section == "spacetime") found += parameters(holder.spacetime);
-        if (section == "split") found += parameters(*holder.split);
-        if (section.empty()) {
+    void add_section(const Section& section, const Scene& holder) {
+        std::string found = lines(section.name, holder, section_defaults(holder, section.name), true);
+        if (section.spacetime) found += parameters(section.spacetime.of(holder));
+        if (section.name.empty()) {
             text_ = found;
             return;
         }
-        const bool is_there = section == "split" || section == "disc" || section == "medium" || section == "path" ||
-                              section == "zoom" || is_of_several(section);
-        if (found.empty() && !is_there) return;
-        add(of_several(section) ? fmt::format("[[{}]]", section) : fmt::format("[{}]", section), found);
-    }
-
-    bool of_several(std::string_view section) const {
-        if (section == "spot") return scene_.spots.size() > 1;
-        std::size_t count = 0;
-        for (const Body& body : scene_.bodies) count += section == kind_of(body).key;
-        return count > 1;
+        if (found.empty() && !section.optional()) return;
+        const bool several = count_of(scene_, section) > 1;
+        add(several ? fmt::format("[[{}]]", section.name) : fmt::format("[{}]", section.name), found);
     }
 
     // What a key leaves out is as in the one before it, and as in [camera] in the first.
@@ -255,16 +243,11 @@ std::string inline_text(const toml::node& node) {
 // What a file says that has these sections and nothing in them but the words that defaults depend on.
 Scene section_defaults(const Scene& holder, std::string_view section) {
     Scene blank;
-    if (holder.split) blank.split.emplace();
-    if (holder.disc) blank.disc.emplace();
-    if (holder.camera.zoom) blank.camera.zoom.emplace();
-    if (holder.path) blank.path.emplace().keys = holder.path->keys;
-    blank.spots.resize(holder.spots.size());
-    if (holder.medium) blank.medium.emplace();
-    for (const Body& body : holder.bodies) blank.bodies.push_back(kind_of(body).make());
-    for (const SceneKey& key : scene_keys())
-        if (key.section == section && key.type == KeyType::kChoice && key.member.readable())
-            key.member.set(blank, key.member.get(holder));
+    for (const Section& each : sections())
+        for (std::size_t i = 0; each.optional() && i < count_of(holder, each); ++i) each.add(blank);
+    if (holder.path) blank.path->keys = holder.path->keys;
+    for (const SceneKey& key : keys_of(section))
+        if (key.type == KeyType::kChoice && key.member.readable()) key.member.set(blank, key.member.get(holder));
     settle_size(blank, [](const std::string&) { return false; });
     settle_defaults(blank, [](const std::string&) { return false; });
     return blank;

@@ -36,9 +36,8 @@ void HiddenBodies::copied(const SectionRef& at) { shift_behind(at, 1); }
 
 void HiddenBodies::shift_behind(const SectionRef& at, int by) {
     std::set<std::pair<std::string, std::size_t>> shifted;
-    for (const auto& [section, number] : hidden_)
-        shifted.emplace(section,
-                        number + static_cast<std::size_t>(section == at.section && number > at.index ? by : 0));
+    for (const auto& [kind, number] : hidden_)
+        shifted.emplace(kind, number + static_cast<std::size_t>(kind == at.section && number > at.index ? by : 0));
     hidden_ = std::move(shifted);
 }
 

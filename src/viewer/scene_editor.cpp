@@ -9,11 +9,11 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "base/text.h"
-#include "plan/body_kind.h"
 #include "scene/projection.h"
-#include "scenefile/scene_keys.h"
+#include "scenefile/sections.h"
 #include "viewer/panels.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
@@ -32,7 +32,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 double unit_of(const SceneKey& key) { return key.unit == "deg" ? kDegree : 1.0; }
 
 // camera.fov has no value of its own: it is the plane's width at distance 1.
-bool is_fov(const SceneKey& key) { return key.section == "camera" && key.key == "fov"; }
+bool is_fov(const SceneKey& key) { return full_name(key) == "camera.fov"; }
 
 std::optional<KeyValue> value_of(const SceneKey& key, const Scene& scene) {
     if (key.member.readable()) return key.member.get(scene);
@@ -214,25 +214,14 @@ std::string help_of(const SceneKey& key) {
                        fallback.empty() ? "" : fmt::format("\ndefault: {}", fallback));
 }
 
-// What is added by its name.
-std::string help_of_section(std::string_view section) {
-    for (const BodyKind* kind : body_kinds())
-        if (kind->key == section) return std::string(kind->effect.help);
-    if (section == "disc") return "A flat disc about the hole.";
-    if (section == "spot") return "A hot spot that orbits in the disc.";
-    if (section == "medium") return "Matter that emits and absorbs light along rays.";
-    if (section == "split") return "The right half of the picture in another spacetime.";
-    return "Where the camera goes, frame by frame.";
-}
-
 // Keys that are edited elsewhere: the window decides on the size, the metric has rows of its own.
 bool is_edited(const SceneKey& key) { return key.type != KeyType::kSize && key.type != KeyType::kMetric; }
 
 // "ball: Terra" where the body has a name of its own.
 std::string heading(const SectionRef& at, const Scene& holder) {
     if (at.label.empty()) return "Scene";
-    for (const SceneKey& key : scene_keys())
-        if (key.section == at.section && key.key == "name")
+    for (const SceneKey& key : keys_of(at.section))
+        if (key.key == "name")
             if (const auto value = value_of(key, holder); value && !value->text.empty())
                 return fmt::format("{}: {}", at.label, value->text);
     return at.label;
@@ -275,12 +264,10 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
         ImGui::SameLine();
         ImGui::SetNextItemWidth(-1.0f);
         const bool adds = choice("##add", "Add...", escape, [&] {
-            for (const std::string& section : optional_sections()) {
-                const bool there = (section == "disc" && view.scene.disc) || (section == "split" && view.scene.split) ||
-                                   (section == "medium" && view.scene.medium) || (section == "path" && view.scene.path);
-                if (!there && choice_item(section, false, help_of_section(section)))
-                    changed |= take(view, with_addition(view.scene, section, free_part(top, bottom)));
-            }
+            for (const Section& section : sections())
+                if (can_be_added(view.scene, section.name) &&
+                    choice_item(std::string(section.name), false, std::string(section.help)))
+                    changed |= take(view, with_addition(view.scene, section.name, free_part(top, bottom)));
         });
         if (!adds) tooltip("A body, a disc, a path or a split screen that the scene does not have yet.");
         if (!fault_.empty()) paragraph(fault_, true);
@@ -316,11 +303,10 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
 
 bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, const Scene& holder, bool escape) {
     std::vector<const SceneKey*> keys;
-    for (const SceneKey& key : scene_keys())
-        if (key.section == at.section && is_edited(key) && matches(key) &&
-            (key.meant == nullptr || key.meant(holder)) && value_of(key, holder))
+    for (const SceneKey& key : keys_of(at.section))
+        if (is_edited(key) && matches(key) && (key.meant == nullptr || key.meant(holder)) && value_of(key, holder))
             keys.push_back(&key);
-    const bool metric = at.section == "spacetime" || at.section == "split";
+    const SpacetimePart metric = find_section(at.section)->spacetime;
     if (keys.empty() && !(metric && words_.empty())) return false;
     const ImGuiTreeNodeFlags open = words_.empty() ? ImGuiTreeNodeFlags_None : ImGuiTreeNodeFlags_DefaultOpen;
     ImGui::PushID(words_.empty() ? "all" : "found");  // which sections are open without a search stays as it was
@@ -342,10 +328,10 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, const Scen
     if (is_open) {
         const bool others = changed = draw_buttons(view, at);
         if (metric && !others && words_.empty()) {
-            SpacetimeSpec spec = at.section == "split" ? *view.scene.split : view.scene.spacetime;
+            SpacetimeSpec spec = metric.of(std::as_const(view.scene));
             if (spacetime_rows(spec, "metric", "##metric", escape)) {
                 Scene edited = view.scene;
-                (at.section == "split" ? *edited.split : edited.spacetime) = spec;
+                metric.of(edited) = spec;
                 keep_outside_horizon(edited);
                 changed |= take(view, edited);
             }
@@ -366,8 +352,7 @@ bool SceneEditor::draw_section(ViewState& view, const SectionRef& at, const Scen
 
 // One of them changes what the others stand for: they are left out then.
 bool SceneEditor::draw_buttons(ViewState& view, const SectionRef& at) {
-    const auto sections = optional_sections();
-    if (std::ranges::find(sections, at.section) == sections.end()) return false;
+    if (!find_section(at.section)->optional()) return false;
     const auto button = [](const char* name) {
         ImGui::PushStyleColor(ImGuiCol_Text, packed(palette().text));
         const bool pressed = small_button(name);

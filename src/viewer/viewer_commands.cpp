@@ -195,9 +195,7 @@ bool Viewer::add(const std::string& section) {
     if (!added) return say(added.error().message()), false;
     view_.scene = std::move(*added);
     if (view_.scene.disc) view_.hidden_disc = *view_.scene.disc;
-    std::string label = section;
-    for (const SectionRef& at : scene_sections(view_.scene))
-        if (at.section == section) label = at.label;
+    const std::string label = last_label(view_.scene, section);
     view_.show_editor = true;
     editor_.reveal(label);
     say(fmt::format("Added {}: its numbers and colours are in the scene editor; Ctrl + Z takes it back", label));

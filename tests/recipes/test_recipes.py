@@ -26,7 +26,7 @@ import depth
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = ROOT / "CONTRIBUTING.md"
 QUICK = not depth.deep()
-RECIPES = ["a metric", "an effect", "a body kind"]
+RECIPES = ["a metric", "an effect", "a body kind", "a scene section"]
 BUILT = ("build", "out")   # folders that are no part of the tree
 SIZE = "160x90"
 
@@ -47,6 +47,7 @@ SCENES = {
     "dilaton-hole": (r'metric = "dilaton-hole"\ncharge = 1\.3\n', 'metric = "schwarzschild"\n'),
     "grey-limb": (r'grey_limb = "on"\n', ""),
     "cube": (r"\[cube\]\n(?:.+\n)+", ""),
+    "target": (r"\[target\]\n(?:.+\n)+", ""),
 }
 # A ray inward from 20 r_s over the cube's middle.
 CUBE_RAY = "r,theta,phi,n_r,n_theta,n_phi\n20,1.5707963267948966,2.677945044588987,-1,0.05,0.02\n"
@@ -130,6 +131,8 @@ def check_promises(steps):
     at_most("a metric", 5, "src/")          # its own, the reference's, the registry and the reference's two lists
     at_most("a metric", 0, "shaders/")
     at_most("a body kind", 9, "src/", "shaders/")
+    at_most("a scene section", 3, "src/", "shaders/")
+    at_most("a scene section", 5, "")         # with its scene; docs/scenes.md makes six
     for recipe in RECIPES:
         if not touched(recipe, "assets/scenes/"):
             raise Wrong(next(step.line for step in steps if step.recipe == recipe), f"{recipe} has no scene")

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_text.h"
 #include "support/costly.h"
+#include "scenefile/sections.h"
 
 using namespace nullscope;
 
@@ -101,9 +103,27 @@ TEST_CASE("scene edit: sections come and go") {
         auto without = without_section(*with, at);
         REQUIRE(without);
         CHECK(canonical(*without) == canonical(scene));
-        CHECK(is_of_several(section) == (section != "disc" && section != "medium" && section != "split" &&
-                                         section != "path" && section != "zoom"));
+        CHECK(can_be_added(*with, section) == is_of_several(section));
+        CHECK(can_be_added(*without, section));
     }
+    CHECK(is_of_several("ball"));
+    CHECK_FALSE(is_of_several("zoom"));
+    CHECK_FALSE(can_be_added(shipped("first-light"), "camera"));
+}
+
+TEST_CASE("scene edit: every section has a row, every row keys, and what can be added says what it is") {
+    std::set<std::string_view> names;
+    for (const Section& section : sections()) {
+        CAPTURE(section.name);
+        CHECK(names.insert(section.name).second);
+        CHECK_FALSE(keys_of(section.name).empty());
+        CHECK(section.optional() == !section.help.empty());
+        CHECK(section.optional() == (section.remove != nullptr || section.list != nullptr));
+        if (!section.within.empty()) CHECK(find_section(section.within) != nullptr);
+    }
+    std::size_t keys = 0;
+    for (const std::string_view name : names) keys += keys_of(name).size();
+    CHECK(keys == scene_keys().size());
 }
 
 TEST_CASE("scene edit: what a file may not say is refused, and the message names the key") {

@@ -12,10 +12,10 @@
 #include "core/exports.h"
 #include "core/session.h"
 #include "plan/effects.h"
-#include "scenefile/scene_check.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_writer.h"
+#include "scenefile/sections.h"
 #include "scenefile/toml_text.h"
 #include "spacetime/registry.h"
 
@@ -104,8 +104,8 @@ NULLSCOPE_EXPORT(keys) bool keys() {
                                       "choice", "text",     "image", "metric", "formula"};  // by KeyType
     std::vector<std::string> list;
     std::map<std::string_view, Scene, std::less<>> holders;  // by the section, of those that are there
-    for_each_section(session().scene, [&](std::string_view section, const std::string&, const Scene& holder) {
-        holders.emplace(section, holder);
+    for_each_section(session().scene, [&](const Section& section, const std::string&, const Scene& holder) {
+        holders.emplace(section.name, holder);
     });
     for (const SceneKey& key : scene_keys()) {
         const std::string name = full_name(key);
