@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Installs by apt what building, running and testing nullscope need (Debian 12 and 13, Ubuntu 24.04 and later).
 # Only what is missing is installed: when nothing is, this takes a fraction of a second and touches nothing.
-# The package lists live here and nowhere else; third_party/versions.md says what each is for.
+# Packages that are linked are those of the first table of third_party/versions.md, which says what each is for; the others are listed here.
 set -euo pipefail
 
-build=(g++ cmake ninja-build pkg-config python3 python3-glad libfast-float-dev libglfw3-dev libglm-dev libimgui-dev libegl-dev
-       libgl-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev libboost-dev libopenexr-dev
-       libpng-dev libjpeg-dev libcfitsio-dev libfreetype-dev libssl-dev doctest-dev)
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+linked=$(awk -F'|' '/^Opened or called/ { exit } /^\| [a-z]/ && !/^\| package/ { sub(/\(.*/, "", $2); gsub(/,/, " ", $2); print $2 }' \
+         "$root/third_party/versions.md")
+build=(g++ cmake ninja-build pkg-config python3 $linked)
 run=(libegl1 libgl1 libgl1-mesa-dri fonts-dejavu-core)
 test=(xvfb xauth xdotool python3-allpairspy)
 # scripts/release.sh: packages

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -176,16 +177,25 @@ Marks make_marks(const Annotations& annotations, int width, int height, int top,
     return made;
 }
 
-void lay_over(const std::vector<Mark>& marks, Image<unsigned char>& picture) {
+namespace {
+
+template <class T>
+void lay(const std::vector<Mark>& marks, Image<T>& picture) {
+    constexpr int kCode = std::numeric_limits<T>::max() / 255;  // of the picture, for one of the mark
     for (const Mark& mark : marks)
         for (int row = std::max(0, -mark.y); row < std::min(mark.rgba.height, picture.height - mark.y); ++row)
             for (int column = std::max(0, -mark.x); column < std::min(mark.rgba.width, picture.width - mark.x);
                  ++column) {
                 const unsigned char* from = mark.rgba.at(column, row);
-                unsigned char* to = picture.at(mark.x + column, mark.y + row);
+                T* to = picture.at(mark.x + column, mark.y + row);
                 for (int c = 0; c < 3; ++c)
-                    to[c] = static_cast<unsigned char>((from[c] * from[3] + to[c] * (255 - from[3]) + 127) / 255);
+                    to[c] = static_cast<T>((kCode * from[c] * from[3] + to[c] * (255 - from[3]) + 127) / 255);
             }
 }
+
+}  // namespace
+
+void lay_over(const std::vector<Mark>& marks, Image<unsigned char>& picture) { lay(marks, picture); }
+void lay_over(const std::vector<Mark>& marks, Image<unsigned short>& picture) { lay(marks, picture); }
 
 }  // namespace nullscope

@@ -27,5 +27,6 @@ Marks make_marks(const Annotations& annotations, int width, int height, int top 
 
 // picture: 3 channels, display-encoded.
 void lay_over(const std::vector<Mark>& marks, Image<unsigned char>& picture);
+void lay_over(const std::vector<Mark>& marks, Image<unsigned short>& picture);
 
 }  // namespace nullscope

@@ -20,6 +20,7 @@
 #include "cli/film.h"
 #include "cli/flux.h"
 #include "cli/frame_store.h"
+#include "cli/option_rules.h"
 #include "cli/picture_file.h"
 #include "cli/recorded_options.h"
 #include "cli/workers.h"
@@ -45,7 +46,7 @@ std::string film_folder(const CaptureOptions& options) { return options.output +
 Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) {
     if (options.to_film() && path == nullptr && (options.time_step == 0 || options.frames.empty()))
         return bad_input("a film needs a scene with a [path], or --time-step and --frames",
-                         "-o names that end in .png, .jpg, .exr or .fits");
+                         fmt::format("-o names that end in {}", format_endings()));
     if (options.to_film() && !have_ffmpeg())
         return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
     const bool sequence = !options.to_film() && names_frames(options.output);
@@ -162,14 +163,8 @@ Result<Job> job_of(const CaptureOptions& options, const OpenedScene& opened) {
         TRY(made, CameraPath::make(job.scene));
         job.path = std::move(*made);
     }
-    if (options.raydata && (!options.split.empty() || job.scene.split))
-        return bad_input("--raydata is of one spacetime; leave out --split, or [split] of the scene");
-    if ((options.layers || !options.st_map.empty()) && job.scene.split)
-        return bad_input("--layers and --st-map are of one spacetime; leave out [split] of the scene");
-    if ((options.raydata || options.layers || !options.st_map.empty()) && job.scene.picture.shutter > 0.0)
-        return bad_input("--raydata, --layers and --st-map are of one moment, but picture.shutter gathers many",
-                         "scenes without it");
-    if (options.half && job.scene.split) return bad_input("--half is of one picture; leave out [split] of the scene");
+    TRY(good, check_output(options));
+    TRY(agree, check_rules(options, job.scene));
     if (!options.split.empty()) {
         TRY(other, split_of(options, opened));
         job.split = std::move(other->scene);
@@ -177,7 +172,6 @@ Result<Job> job_of(const CaptureOptions& options, const OpenedScene& opened) {
         job.scene.split_labels = {job.scene.split_labels.shown};  // the file's own are of its own [split]
         if (options.samples) job.split->picture.samples = job.scene.picture.samples;
     }
-    TRY(good, check_options(options));
     TRY(seen, check_stereo(job.scene, options.drawing(), !options.split.empty()));
     TRY(faces, check_faces(job.scene, options));
     if (job.path && job.path->falls() && options.time_step != 0)
@@ -374,7 +368,7 @@ Status run_capture(const CaptureOptions& given) {
 Result<std::string> sequence_stamp(const CaptureOptions& options) {
     if (options.to_film())
         return bad_input(fmt::format("-o {}: a film is made by one run", options.output),
-                         "names that end in .png, .jpg, .exr or .fits");
+                         fmt::format("names that end in {}", format_endings()));
     TRY(run, run_of(options));
     TRY(job, job_of(run->options, run->opened));
     return stamp_of(*job, run->options);

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include "base/text.h"
 #include "cli/frame_store.h"
 #include "command/options.h"
 #include "image/image_file.h"
@@ -14,44 +16,37 @@
 
 namespace nullscope::cli {
 
+namespace {
+
+// "a .png (8 bits, display-ready), ..."
+std::string format_help() {
+    std::string help;
+    for (const PictureFormat* format : kPictureFormats)
+        help += fmt::format("{}a {} ({})",
+                            help.empty()                       ? ""
+                            : format == kPictureFormats.back() ? " or "
+                                                               : ", ",
+                            format->ending, format->help);
+    return help;
+}
+
+}  // namespace
+
+bool CaptureOptions::format_has(std::string_view option) const {
+    if (format() == nullptr) return false;
+    const auto names = nullscope::split(format()->options, ' ');
+    return std::ranges::find(names, option) != names.end();
+}
+
 bool CaptureOptions::to_one_picture() const { return frames.empty() && !to_film() && !names_frames(output); }
 
-Status check_options(const CaptureOptions& options) {
+Status check_output(const CaptureOptions& options) {
     const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
     if (std::error_code none; !folder.empty() && !names_frames(folder) && !std::filesystem::is_directory(folder, none))
         return failed(fmt::format("-o {}: there is no folder '{}'", options.output, folder.string()));
-    if (!options.to_linear_light() && !options.to_film() && !options.to_jpeg() && !options.output.ends_with(".png"))
+    if (options.format() == nullptr && !options.to_film())
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),
-                         fmt::format("names that end in .png, .jpg, .exr, .fits or {}", film_endings()));
-    if (options.workers > 1 && options.to_one_picture())
-        return bad_input("--workers: one picture is drawn by one process; give --frames A:B or a film");
-    if (options.quality && !options.to_jpeg()) return bad_input("--quality is of a JPEG; give -o FILE.jpg");
-    if (options.layers && (!options.to_exr() || !options.split.empty() || options.renderer != "gl"))
-        return bad_input("--layers are of an .exr that the shader draws",
-                         "-o FILE.exr, without --split and --renderer reference");
-    if (!options.st_map.empty() && (!options.to_exr() || !options.split.empty() || options.raydata || options.layers))
-        return bad_input("--st-map is what an .exr holds", "-o FILE.exr, without --split, --raydata and --layers");
-    if (options.half && (!options.to_exr() || options.raydata || options.layers || !options.st_map.empty() ||
-                         !options.split.empty() || options.renderer != "gl"))
-        return bad_input("--half is of an .exr of colours that the shader draws",
-                         "-o FILE.exr, without --raydata, --layers, --st-map, --split and --renderer reference");
-    if (options.max_error && options.method != "auto")
-        return bad_input(fmt::format("--max-error: --method {} is the one that was asked for", options.method),
-                         "--method auto");
-    if (options.resume && options.to_one_picture())
-        return bad_input("--resume: one picture is drawn anew", "with --frames A:B, or -o NAME%05d.png");
-    if (options.samples && !options.st_map.empty())
-        return bad_input("--samples: an ST map has one ray a pixel", "without --st-map");
-    if (options.raydata && !options.to_exr()) return bad_input("--raydata goes into an .exr; give -o FILE.exr");
-    if (options.renderer == "reference")
-        for (const auto& [option, given] : {std::pair{"--method", options.method != "auto"},
-                                            {"--max-error", options.max_error.has_value()},
-                                            {"--context", options.context != CaptureOptions{}.context},
-                                            {"--tiles", options.tiles != "auto"},
-                                            {"--largest-texture", options.largest_texture.has_value()}})
-            if (given)
-                return bad_input(fmt::format("{}: the reference has no shader and no GL", option),
-                                 "with --renderer gl");
+                         fmt::format("names that end in {} or {}", format_endings(", "), film_endings()));
     return Done{};
 }
 
@@ -62,10 +57,10 @@ void add_capture_options(Command& command, CaptureOptions& options) {
         "Scene file, the name of a built-in scene (see: nullscope scenes), or a picture that nullscope drew: "
         "its scene and options, where others are not given");
     text_option(command, "-o,--output", options.output,
-                fmt::format("File to write, .png, .jpg, .exr or .fits, or a film: {}, which needs ffmpeg and resumes "
+                fmt::format("File to write, {}, or a film: {}, which needs ffmpeg and resumes "
                             "an interrupted run "
                             "of the same scene and options; NAME-%s.png writes the six faces of a cube",
-                            film_endings()));
+                            format_endings(), film_endings()));
     command.add_option("ffmpeg", &options.ffmpeg, "After --: options of ffmpeg for a film, as in -- -crf 12");
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     command.add_option(
@@ -108,8 +103,10 @@ void add_capture_options(Command& command, CaptureOptions& options) {
                   "driver's limit)");
     number_option(command, "--quality", options.quality, 1, 100,
                   fmt::format("Quality of a .jpg: less makes smaller files (default {})", kJpegQuality));
-    command.add_flag("--plain", &options.plain,
-                     "No dividing line, labels or scale bar over a .png, .jpg or film (.exr and .fits have none)");
+    command.add_flag(
+        "--plain", &options.plain,
+        fmt::format("No dividing line, labels or scale bar over a displayed picture or film ({} have none)",
+                    format_endings(" and ", [](const PictureFormat& f) { return f.sample == Sample::kLight; })));
     command.add_flag("--quiet", &options.quiet,
                      "No notes on standard error: what of an image is not used, what would be smoother");
     command.add_flag(
@@ -137,11 +134,8 @@ void add_capture_options(Command& command, CaptureOptions& options) {
 }
 
 void add_capture_to(Command& parent, const std::function<Status(const CaptureOptions&)>& run_it) {
-    auto [command, options] = add_command<CaptureOptions>(parent, "capture",
-                                                          "Draw a scene to a PNG or JPEG (display-ready), an EXR "
-                                                          "(linear light, optional ray data) or a FITS (linear light, "
-                                                          "sky coordinates)",
-                                                          run_it);
+    static const std::string help = "Draw a scene to " + format_help();
+    auto [command, options] = add_command<CaptureOptions>(parent, "capture", help.c_str(), run_it);
     command.note_given(&options.given);
     add_capture_options(command, options);
 }

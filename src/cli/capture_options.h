@@ -3,12 +3,14 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
 #include "cli/command.h"
 #include "cli/film.h"
 #include "command/draw_options.h"
+#include "image/picture_formats.h"
 
 namespace nullscope::cli {
 
@@ -28,16 +30,17 @@ struct CaptureOptions : DrawOptions {
     bool split_is_recorded = false;  // split is the picture that the scene is of
     bool one_frame = false;          // frames is one that a picture recorded, drawn into a file of its own
 
-    bool to_exr() const { return output.ends_with(".exr"); }
-    bool to_fits() const { return output.ends_with(".fits"); }
-    bool to_linear_light() const { return to_exr() || to_fits(); }
-    bool to_jpeg() const { return output.ends_with(".jpg") || output.ends_with(".jpeg"); }
+    const PictureFormat* format() const { return format_named(output); }  // nullptr: a film, or unknown
+    bool format_has(std::string_view option) const;                       // PictureFormat::options
+    bool to_exr() const { return format() == &kExrFormat; }
+    bool to_linear_light() const { return format() != nullptr && format()->sample == Sample::kLight; }
     bool to_film() const { return is_film(output); }
     bool to_one_picture() const;  // neither a film nor numbered frames
     // What drawing needs to know of the file.
     DrawOptions drawing() const {
         DrawOptions options = *this;
-        options.linear = to_linear_light(), options.in_bands = to_fits();
+        options.sample = format() != nullptr ? format()->sample : Sample::kByte;
+        options.in_bands = !to_exr();  // its bands go straight into the file
         return options;
     }
 };
@@ -46,7 +49,7 @@ struct CaptureOptions : DrawOptions {
 void add_capture_options(Command& command, CaptureOptions& options);
 void add_capture_to(Command& parent, const std::function<Status(const CaptureOptions&)>& run_it);
 
-// Files of an unknown kind, and options that would change nothing. Errors: bad input, or no such folder.
-Status check_options(const CaptureOptions& options);
+// Errors: a file of an unknown kind, no such folder.
+Status check_output(const CaptureOptions& options);
 
 }  // namespace nullscope::cli

@@ -13,6 +13,7 @@
 #include "image/channels.h"
 #include "image/half_float.h"
 #include "image/image_file.h"
+#include "image/picture_formats.h"
 #include "render/picture_bands.h"
 #include "version/version.h"
 
@@ -54,6 +55,46 @@ FitsHeader header_of(const PictureOrigin& origin, const Captured& captured, cons
     return header;
 }
 
+// A file of linear light, which says more of its scene than words.
+struct LightFile {
+    const std::string& name;
+    const PictureOrigin& origin;
+    const Captured& captured;
+    const CaptureOptions& options;
+    std::map<std::string, std::string> words;
+};
+
+Status write_fits(LightFile file) {
+    const Scene& scene = file.origin.scene;
+    const bool several = !file.options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
+    const auto flux = flux_unit(scene, several);
+    return save_fits(file.name, flux ? in_jansky(file.captured.linear, *flux) : file.captured.linear,
+                     header_of(file.origin, file.captured, flux, several, std::move(file.words)));
+}
+
+Status write_exr(LightFile file) {
+    const Captured& captured = file.captured;
+    const Image<float>& light = captured.linear;
+    if (file.options.half) {
+        say_halves(file.name, count_beyond_half(light.data), file.options.listener);
+        return save_exr_bands(file.name, {light.width, light.height, true, std::move(file.words)},
+                              [&](int) -> Result<Image<float>> { return light; });
+    }
+    ChannelImage channels{light.width, light.height, {}, {}};
+    for (int c = 0; c < 3; ++c) channels.channels[std::string(1, "RGB"[c])] = channel_of(light, c);
+    if (captured.rays) add_ray_channels(*captured.rays, channels);
+    if (captured.layers) add_layer_channels(*captured.layers, file.origin.scene, channels);
+    channels.attributes = std::move(file.words);
+    return save_exr(file.name, channels);
+}
+
+// Of the formats that write no DisplayedPicture.
+struct LightWriter {
+    const PictureFormat* format;
+    Status (*write)(LightFile);
+};
+constexpr LightWriter kLightWriters[] = {{&kExrFormat, write_exr}, {&kFitsFormat, write_fits}};
+
 }  // namespace
 
 Result<std::string> capture_large_exr(Session& session, const PictureOrigin& origin, const std::vector<Exposure>& shown,
@@ -84,31 +125,13 @@ Result<std::string> capture_large_exr(Session& session, const PictureOrigin& ori
 
 Status write_picture(const std::string& file_name, const PictureOrigin& origin, const Captured& captured,
                      const CaptureOptions& options) {
-    const Scene& scene = origin.scene;
     TRY(words, words_of(origin, captured.made_by));
-    if (file_name.ends_with(".jpg") || file_name.ends_with(".jpeg"))
-        return save_jpeg(file_name, captured.display, fmt::format("{}\nnullscope {}", scene.name, kVersion),
-                         options.quality.value_or(kJpegQuality), *words);
-    if (file_name.ends_with(".fits")) {
-        const bool several = !options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
-        const auto flux = flux_unit(scene, several);
-        return save_fits(file_name, flux ? in_jansky(captured.linear, *flux) : captured.linear,
-                         header_of(origin, captured, flux, several, std::move(*words)));
-    }
-    if (!file_name.ends_with(".exr")) {
-        words->insert({{"Title", scene.name}, {"Software", fmt::format("nullscope {}", kVersion)}});
-        return save_png(file_name, captured.display, *words);
-    }
-    if (options.half) say_halves(file_name, count_beyond_half(captured.linear.data), options.listener);
-    if (options.half)
-        return save_exr_bands(file_name, {captured.linear.width, captured.linear.height, true, std::move(*words)},
-                              [&](int) -> Result<Image<float>> { return captured.linear; });
-    ChannelImage file{captured.linear.width, captured.linear.height, {}, {}};
-    for (int c = 0; c < 3; ++c) file.channels[std::string(1, "RGB"[c])] = channel_of(captured.linear, c);
-    if (captured.rays) add_ray_channels(*captured.rays, file);
-    if (captured.layers) add_layer_channels(*captured.layers, scene, file);
-    file.attributes = std::move(*words);
-    return save_exr(file_name, file);
+    const PictureFormat* format = format_named(file_name);
+    if (format->save != nullptr)
+        return format->save(file_name, {captured.bytes, captured.words, origin.scene.name,
+                                        fmt::format("nullscope {}", kVersion), options.quality, *words});
+    const auto writer = std::ranges::find(kLightWriters, format, &LightWriter::format);
+    return writer->write({file_name, origin, captured, options, std::move(*words)});
 }
 
 }  // namespace nullscope::cli

@@ -15,7 +15,7 @@ namespace nullscope::cli {
 Result<std::string> capture_large_exr(Session& session, const PictureOrigin& origin, const std::vector<Exposure>& shown,
                                       const CaptureOptions& options, const std::string& file_name);
 
-// In the format that the name says: .exr, .fits, .jpg (.jpeg) or .png. What a file says of itself: docs/command-line.md.
+// In the format that the name says, which is one (image/picture_formats.h). What a file says of itself: docs/command-line.md.
 Status write_picture(const std::string& file_name, const PictureOrigin& origin, const Captured& captured,
                      const CaptureOptions& options);
 

@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "cli/frame_store.h"
+#include "cli/option_rules.h"
 #include "image/image_file.h"
 #include "plan/frame_plan.h"
 #include "scenefile/picture_scene.h"
@@ -26,28 +27,9 @@ bool names_one(const Names& names, std::string_view option) { return std::ranges
 Names displaced(const CaptureOptions& options, const Names& given) {
     Names out = given;
     const auto drop = [&](const Names& names) { out.insert(out.end(), names.begin(), names.end()); };
-    // What is given goes before what cannot stand beside it (check_options).
-    static const std::array<std::pair<Names, Names>, 7> either = {{
-        {{"--renderer"}, {"--method", "--tiles", "--largest-texture", "--samples", "--half", "--layers"}},
-        {{"--method", "--max-error", "--tiles", "--context", "--largest-texture", "--half", "--layers"},
-         {"--renderer", "--samples"}},
-        {{"--max-error"}, {"--method"}},
-        {{"--half"}, {"--raydata", "--layers", "--st-map"}},
-        {{"--raydata", "--layers"}, {"--half", "--st-map"}},
-        {{"--st-map", "--split,--beside"}, {"--half", "--raydata", "--layers"}},
-        {{"--split,--beside"}, {"--st-map"}},
-    }};
-    for (const auto& [these, others] : either)
-        if (std::ranges::any_of(these, [&](std::string_view name) { return names_one(given, name); })) drop(others);
+    for (const std::string_view option : given) drop(excluded_by(option));
+    if (names_one(out, "--renderer")) drop({"--samples"});  // recorded of that renderer
     if (names_one(given, "--frames") || options.to_film()) drop({"--frames", "--time-step", "--time-frame"});
-    return out;
-}
-
-// What is in no file of this kind.
-Names without_place(const CaptureOptions& options) {
-    Names out;
-    if (!options.to_exr()) out = {"--half", "--raydata", "--layers", "--st-map"};
-    if (!options.to_jpeg()) out.push_back("--quality");
     return out;
 }
 
@@ -69,7 +51,7 @@ std::string recorded_options(const RunOptions& run, const Scene& scene) {
     if (options.raydata) words.emplace_back("--raydata");
     if (options.layers) words.emplace_back("--layers");
     if (!options.st_map.empty()) add("--st-map", options.st_map);
-    if (options.to_jpeg()) add("--quality", options.quality.value_or(kJpegQuality));
+    if (options.format_has("--quality")) add("--quality", options.quality.value_or(kJpegQuality));
     if (options.plain && !options.to_linear_light()) words.emplace_back("--plain");
     if (run.frame) words.push_back(fmt::format("--frames {}:{}", *run.frame, *run.frame + 1));
     if (run.whole_film && options.time_step != 0) add("--time-step", options.time_step);

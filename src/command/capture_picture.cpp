@@ -12,6 +12,7 @@
 #include "base/assets.h"
 #include "command/capture_layers.h"
 #include "command/reference_inputs.h"
+#include "image/picture_formats.h"
 #include "reference/reference.h"
 #include "render/display.h"
 #include "render/picture_bands.h"
@@ -48,6 +49,13 @@ Result<Image<float>> linear_picture(Session& session, const Exposure& shown, con
                                 [&](const PictureBand& band) { return draw_band(*session.renderer, shown, band); });
 }
 
+// What is displayed of linear light.
+void encode(const Scene& scene, Sample sample, Captured& captured) {
+    const double exposure = scene.camera.exposure_ev;
+    if (sample == Sample::kByte) captured.bytes = display_encoded(captured.linear, exposure, scene.picture);
+    if (sample == Sample::kWord) captured.words = display_encoded16(captured.linear, exposure, scene.picture);
+}
+
 Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawOptions& options, const Scene* next) {
     begin_drawing(session, options);
     Captured captured;
@@ -59,12 +67,13 @@ Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawO
     } else if (!options.st_map.empty()) {
         TRY(ready, session.renderer->prepare(shown.scene));
         captured.linear = st_map_of(session.renderer->ray_data(), shown.scene, options.st_map);
-    } else if (options.linear) {
+    } else if (options.sample != Sample::kByte) {
         TRY(light, linear_picture(session, shown, options));
         captured.linear = std::move(*light);
+        encode(shown.scene, options.sample, captured);
     } else {
         TRY(picture, picture8(session, shown, options.listener));
-        captured.display = std::move(*picture);
+        captured.bytes = std::move(*picture);
     }
     tell_notes(session, options.listener);
     if (options.raydata && !options.layers) captured.rays = session.renderer->ray_data();  // layers have them
@@ -110,7 +119,7 @@ Result<Captured> capture_reference(const Inputs& inputs, const Exposure& shown, 
         TRY(rays, reference_rays(scene, options.listener));
         captured.rays = std::move(*rays);
     }
-    if (!options.linear) captured.display = display_encoded(captured.linear, scene.camera.exposure_ev, scene.picture);
+    encode(scene, options.sample, captured);
     captured.made_by = kReference;
     return captured;
 }
@@ -142,7 +151,9 @@ void tell_notes(Session& session, const Listener& listener) {
 Status check_size8(int width, int height) {
     constexpr long long kMostBytes = std::numeric_limits<int>::max();  // of the packages that write it
     if (3LL * width * height <= kMostBytes) return Done{};
-    return bad_input(fmt::format("a picture of {}x{} px is too large for .png and .jpg", width, height),
+    const std::string displayed =
+        format_endings(" and ", [](const PictureFormat& format) { return format.sample != Sample::kLight; });
+    return bad_input(fmt::format("a picture of {}x{} px is too large for {}", width, height, displayed),
                      fmt::format("{} million pixels, or -o FILE.exr", kMostBytes / 3'000'000));
 }
 

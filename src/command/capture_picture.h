@@ -16,14 +16,15 @@
 namespace nullscope::cli {
 
 struct Captured {
-    Image<float> linear;                   // with options.linear, and of the reference
-    Image<unsigned char> display;          // else
+    Image<float> linear;                   // with Sample::kLight, and of the reference
+    Image<unsigned char> bytes;            // with Sample::kByte: display-encoded
+    Image<unsigned short> words;           // with Sample::kWord: the same
     std::optional<RayFrame> rays;          // with options.raydata
     std::optional<LayeredPicture> layers;  // with options.layers
     std::string made_by;
 };
 
-// Of .png and .jpg. Errors: bad input.
+// Of displayed pictures. Errors: bad input.
 Status check_size8(int width, int height);
 
 // session: what the shader draws on; null: the reference draws. next: the next frame's scene, for motion vectors; null: there is none.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/progress.h"
+#include "image/sample.h"
 
 namespace nullscope::cli {
 
@@ -23,8 +24,8 @@ struct DrawOptions {
     std::optional<int> samples;  // reference: a side of a pixel; else kSamples
     std::optional<int> largest_texture;
     bool raydata = false, layers = false;
-    std::string st_map;     // sky or plate: instead of colours
-    bool linear = true;     // linear light; else display-encoded
+    std::string st_map;  // sky or plate: instead of colours
+    Sample sample = Sample::kLight;
     bool in_bands = false;  // linear light of large pictures is drawn in bands
     Listener listener;
 };

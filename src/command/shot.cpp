@@ -1,5 +1,6 @@
 #include "command/shot.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "annotate/marks.h"
@@ -13,12 +14,14 @@ namespace nullscope::cli {
 namespace {
 
 // Says once why there are no letters.
-void annotate(const Scene& scene, const std::optional<Halves>& split, const Listener& listener,
-              Image<unsigned char>& picture) {
+void annotate(const Scene& scene, const std::optional<Halves>& split, const Listener& listener, Captured& captured) {
     static bool said = false;
-    const Marks marks = make_marks(annotations_of(scene, split), picture.width, picture.height);
+    const int width = std::max(captured.bytes.width, captured.words.width),
+              height = std::max(captured.bytes.height, captured.words.height);
+    const Marks marks = make_marks(annotations_of(scene, split), width, height);
     if (!marks.note.empty() && !std::exchange(said, true)) listener.note(marks.note);
-    lay_over(marks.marks, picture);
+    if (!captured.bytes.empty()) lay_over(marks.marks, captured.bytes);
+    if (!captured.words.empty()) lay_over(marks.marks, captured.words);
 }
 
 }  // namespace
@@ -78,9 +81,10 @@ Result<Captured> draw_shot(const Shot& shot, Session* session, const Exposure& s
     if (split) {
         TRY(right, capture_picture(session, half(&Halves::right), options));
         captured->linear = side_by_side(captured->linear, right->linear);
-        captured->display = side_by_side(captured->display, right->display);
+        captured->bytes = side_by_side(captured->bytes, right->bytes);
+        captured->words = side_by_side(captured->words, right->words);
     }
-    if (lettered && !options.linear) annotate(scene, split, options.listener, captured->display);
+    if (lettered && options.sample != Sample::kLight) annotate(scene, split, options.listener, *captured);
     return captured;
 }
 

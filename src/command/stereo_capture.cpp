@@ -53,7 +53,7 @@ Status check_stereo(const Scene& scene, const DrawOptions& options, bool split) 
             return bad_input(fmt::format("{} is of one picture, and the scene has camera.stereo", option),
                              fmt::format("stereo = \"off\", or no {}", option));
     const auto [width, height] = stereo_size(scene.camera);
-    return options.linear ? Done{} : check_size8(width, height);
+    return options.sample == Sample::kLight ? Done{} : check_size8(width, height);
 }
 
 Status check_stereo_frames(const CameraPath& path, const Scene& scene, int first, int end) {
@@ -86,10 +86,11 @@ Result<Captured> capture_stereo(Session* session, const Exposure& shown, const D
     TRY(draw, picture_drawer(session, scene, options));
     const auto [width, height] = stereo_size(scene.camera);
     Captured both;
-    if (options.linear)
-        both.linear = Image<float>(width, height, 3);
-    else
-        both.display = Image<unsigned char>(width, height, 3);
+    switch (options.sample) {
+        case Sample::kByte: both.bytes = Image<unsigned char>(width, height, 3); break;
+        case Sample::kWord: both.words = Image<unsigned short>(width, height, 3); break;
+        case Sample::kLight: both.linear = Image<float>(width, height, 3); break;
+    }
     const std::vector<EyePart> parts = eye_parts(scene.camera);
     Advance advance = [](long long) {};
     if (scene.camera.stereo == Stereo::kAllRound) {
@@ -102,7 +103,8 @@ Result<Captured> capture_stereo(Session* session, const Exposure& shown, const D
         TRY(seen, seen_by_eye(shown, **spacetime, i));
         TRY(captured, (*draw)(*seen));
         paste(captured->linear, parts[i], both.linear);
-        paste(captured->display, parts[i], both.display);
+        paste(captured->bytes, parts[i], both.bytes);
+        paste(captured->words, parts[i], both.words);
         both.made_by = captured->made_by;
         advance(1);
     }

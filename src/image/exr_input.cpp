@@ -8,13 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <istream>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "base/text.h"
 #include "image/image_formats.h"
-#include "image/picture_texts.h"
+#include "image/picture_formats.h"
 
 namespace nullscope {
 namespace {
@@ -128,6 +129,22 @@ std::optional<bool> header_is_there(Bytes& bytes, std::string& fault, Texts* tex
     }
 }
 
+// String attributes of the first part.
+Result<Texts> exr_texts_of(std::istream& file) {
+    std::string header(kMostTextBytes, '\0');
+    file.read(header.data(), static_cast<std::streamsize>(header.size()));
+    header.resize(static_cast<std::size_t>(file.gcount()));
+    Bytes bytes(header);
+    bytes.take(kMagic.size());
+    Texts texts;
+    std::string fault;
+    const bool versioned = bytes.number().has_value();
+    const auto there = header_is_there(bytes, fault, &texts);
+    if (!versioned || !there) return bad_input("its header is cut off or damaged");
+    if (!fault.empty()) return bad_input(fault);
+    return texts;
+}
+
 }  // namespace
 
 // The layout: "OpenEXR File Layout", openexr.com. Attributes are name, type (both end with a zero byte), size (four
@@ -145,18 +162,6 @@ Status check_exr(std::string_view file) {
     }
     if (!fault.empty()) return bad_input(fault);
     return Done{};
-}
-
-Result<Texts> exr_header_texts(std::string_view header) {
-    Bytes bytes(header);
-    bytes.take(kMagic.size());
-    Texts texts;
-    std::string fault;
-    const bool versioned = bytes.number().has_value();
-    const auto there = header_is_there(bytes, fault, &texts);
-    if (!versioned || !there) return bad_input("its header is cut off or damaged");
-    if (!fault.empty()) return bad_input(fault);
-    return texts;
 }
 
 void MemoryStream::seekg(std::uint64_t at) { at_ = at; }
@@ -188,5 +193,16 @@ Status check_exr_part(const Imf::Header& header, long long channels, std::size_t
         return bad_input("its blocks of pixels are too large");
     return Done{};
 }
+
+const PictureFormat kExrFormat = {
+    .name = "EXR",
+    .ending = ".exr",
+    .other = "",
+    .sample = Sample::kLight,
+    .help = "linear light, optional ray data",
+    .options = "--half --raydata --layers --st-map",
+    .is = [](std::string_view bytes) { return bytes.starts_with(kMagic); },
+    .texts = exr_texts_of,
+};
 
 }  // namespace nullscope

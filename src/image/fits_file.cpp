@@ -14,7 +14,8 @@
 
 #include "base/atomic_file.h"
 #include "image/image_file.h"
-#include "image/picture_texts.h"
+#include "image/image_formats.h"
+#include "image/picture_formats.h"
 
 namespace nullscope {
 namespace {
@@ -114,6 +115,21 @@ void write_planes(MemoryFile& to, const Image<float>& image) {
     }
 }
 
+// HISTORY cards of the primary header.
+Result<Texts> fits_texts_of(std::istream& file) {
+    constexpr std::size_t kName = 8;  // characters of a card's keyword
+    std::vector<std::string> history;
+    std::size_t size = 0;
+    for (auto card = bytes_from(file, kCard); card; card = bytes_from(file, kCard)) {
+        if (card->starts_with("END     ")) return texts_of_cards(history);
+        if ((size += kCard) > kMostTextBytes) return texts_too_long();
+        if (!card->starts_with("HISTORY ")) continue;
+        card->erase(card->find_last_not_of(' ') + 1);
+        history.push_back(card->size() > kName ? card->substr(kName) : "");
+    }
+    return texts_cut_off();
+}
+
 }  // namespace
 
 Status save_fits(const std::filesystem::path& path, const Image<float>& image, const FitsHeader& header) {
@@ -138,5 +154,16 @@ Status save_fits(const std::filesystem::path& path, const Image<float>& image, c
     if (*file.status() != 0) return invalid("CFITSIO: " + file.reason());
     return write_text_atomically(path, bytes);
 }
+
+const PictureFormat kFitsFormat = {
+    .name = "FITS",
+    .ending = ".fits",
+    .other = "",
+    .sample = Sample::kLight,
+    .help = "linear light, coordinates on the sky",
+    .options = "",
+    .is = [](std::string_view bytes) { return bytes.starts_with("SIMPLE  ="); },
+    .texts = fits_texts_of,
+};
 
 }  // namespace nullscope

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <istream>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,6 +19,16 @@ namespace nullscope {
 
 // What load_image and load_exr say of a file.
 Error unreadable(const std::string& name, std::string_view reason);
+
+// For readers of texts: exactly so many bytes, nothing where the file ends before; what is said of files.
+std::optional<std::string> bytes_from(std::istream& file, std::size_t count);
+Error texts_cut_off();
+Error texts_too_long();
+inline std::size_t big_endian(std::string_view bytes) {
+    std::size_t value = 0;
+    for (const char c : bytes) value = value << 8 | static_cast<unsigned char>(c);
+    return value;
+}
 
 // Writes up to `most` bytes of a file that is read from its beginning; fewer only at its end.
 using ByteSource = std::function<std::size_t(char* to, std::size_t most)>;

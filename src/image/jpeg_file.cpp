@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 // jpeglib.h needs FILE and size_t first.
+#include <fmt/format.h>
 #include <jpeglib.h>
 
 #include <array>
@@ -9,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "image/image_file.h"
 #include "image/image_formats.h"
+#include "image/picture_formats.h"
 
 namespace nullscope {
 namespace {
@@ -70,6 +73,37 @@ private:
     std::array<char, JMSG_LENGTH_MAX> words_{};
 };
 
+// Comments whose first line is a keyword.
+Result<Texts> jpeg_texts_of(std::istream& file) {
+    file.seekg(2);
+    constexpr std::size_t kScan = 0xda, kEnd = 0xd9, kComment = 0xfe;
+    Texts texts;
+    std::size_t size = 0;
+    for (auto mark = bytes_from(file, 2); mark; mark = bytes_from(file, 2)) {
+        if ((*mark)[0] != '\xff') return bad_input("its markers are damaged");
+        if ((*mark)[1] == '\xff') {  // fill bytes
+            file.seekg(-1, std::ios::cur);
+            continue;
+        }
+        const std::size_t kind = big_endian(mark->substr(1));
+        if (kind == kScan || kind == kEnd) return texts;
+        const auto length = bytes_from(file, 2);
+        if (!length || big_endian(*length) < 2) return texts_cut_off();
+        const std::size_t left = big_endian(*length) - 2;
+        if (kind != kComment) {
+            file.seekg(static_cast<std::streamoff>(left), std::ios::cur);
+            continue;
+        }
+        if ((size += left) > kMostTextBytes) return texts_too_long();
+        const auto comment = bytes_from(file, left);
+        if (!comment) return texts_cut_off();
+        const std::size_t line = comment->find('\n');
+        if (comment->starts_with(kOwnTexts) && line != std::string::npos)
+            texts[comment->substr(0, line)] = comment->substr(line + 1);
+    }
+    return texts_cut_off();
+}
+
 }  // namespace
 
 Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::vector<std::string>& comments,
@@ -78,5 +112,21 @@ Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::ve
     if (!encoder.encode(image, comments, quality)) return failed(encoder.error());
     return encoder.bytes();
 }
+
+const PictureFormat kJpegFormat = {
+    .name = "JPEG",
+    .ending = ".jpg",
+    .other = ".jpeg",
+    .sample = Sample::kByte,
+    .help = "the same in a small file",
+    .options = "--quality",
+    .is = [](std::string_view bytes) { return bytes.starts_with("\xff\xd8\xff"); },
+    .texts = jpeg_texts_of,
+    .save =
+        [](const std::filesystem::path& path, const DisplayedPicture& picture) {
+            return save_jpeg(path, picture.bytes, fmt::format("{}\n{}", picture.title, picture.software),
+                             picture.quality.value_or(kJpegQuality), picture.texts);
+        },
+};
 
 }  // namespace nullscope

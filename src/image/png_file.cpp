@@ -15,7 +15,7 @@
 #include "image/image_file.h"
 #include "image/image_formats.h"
 #include "image/orientation.h"
-#include "image/picture_texts.h"
+#include "image/picture_formats.h"
 
 namespace nullscope {
 namespace {
@@ -284,6 +284,31 @@ private:
     std::string bytes_, error_ = "out of memory";
 };
 
+constexpr std::string_view kPngMark = "\x89PNG\r\n\x1a\n";
+
+// tEXt, zTXt and iTXt chunks. What is not looked at is skipped; a file that ends in its pixels has said all before, or nothing.
+Result<Texts> png_texts_of(std::istream& file) {
+    file.seekg(static_cast<std::streamoff>(kPngMark.size()));
+    std::string chunks;
+    for (auto head = bytes_from(file, 8); head; head = bytes_from(file, 8)) {
+        constexpr std::size_t kCheckSum = 4;
+        const std::size_t length = big_endian(head->substr(0, 4));
+        const std::string kind = head->substr(4);
+        if (kind == "IEND") break;
+        if (kind != "tEXt" && kind != "zTXt" && kind != "iTXt") {
+            file.seekg(static_cast<std::streamoff>(length + kCheckSum), std::ios::cur);
+            continue;
+        }
+        if (chunks.size() + length > kMostTextBytes) return texts_too_long();
+        const auto body = bytes_from(file, length + kCheckSum);
+        if (!body) return texts_cut_off();
+        chunks += *head + *body;
+    }
+    PngTexts png(chunks);
+    if (!png.read()) return bad_input(png.error());
+    return png.texts();
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RowReader>> open_png_rows(ByteSource source) {
@@ -292,16 +317,27 @@ Result<std::unique_ptr<RowReader>> open_png_rows(ByteSource source) {
     return std::unique_ptr<RowReader>(std::move(rows));
 }
 
-Result<Texts> png_chunk_texts(std::string_view chunks) {
-    PngTexts png(chunks);
-    if (!png.read()) return bad_input(png.error());
-    return png.texts();
-}
-
 Result<std::string> encode_png(const Image<unsigned char>& image, const std::map<std::string, std::string>& texts) {
     PngEncoder encoder(texts);
     if (!encoder.encode(image)) return failed(encoder.error());
     return std::move(encoder.bytes());
 }
+
+const PictureFormat kPngFormat = {
+    .name = "PNG",
+    .ending = ".png",
+    .other = "",
+    .sample = Sample::kByte,
+    .help = "8 bits, display-ready",
+    .options = "",
+    .is = [](std::string_view bytes) { return bytes.starts_with(kPngMark); },
+    .texts = png_texts_of,
+    .save =
+        [](const std::filesystem::path& path, const DisplayedPicture& picture) {
+            Texts texts = picture.texts;
+            texts.insert({{"Title", picture.title}, {"Software", picture.software}});
+            return save_png(path, picture.bytes, texts);
+        },
+};
 
 }  // namespace nullscope

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/vec.h"
@@ -98,19 +99,33 @@ Image<float> with_bloom(const Image<float>& linear, double share) {
     });
 }
 
-Image<unsigned char> display_encoded(const Image<float>& linear, double exposure_ev, const PictureSpec& picture) {
+namespace {
+
+template <class T>
+Image<T> encoded(const Image<float>& linear, double exposure_ev, const PictureSpec& picture) {
+    constexpr auto kMost = static_cast<float>(std::numeric_limits<T>::max());
     const Image<float> light = picture.bloom > 0.0 ? with_bloom(linear, picture.bloom) : linear;
     double exposure = std::exp2(exposure_ev);
     if (picture.auto_exposure) exposure *= kMeterKey / std::max(mean_luminance(pyramid(linear).back()), kLeastMetered);
-    Image<unsigned char> out(light.width, light.height, 3);
+    Image<T> out(light.width, light.height, 3);
     for (std::size_t i = 0; i + 2 < out.data.size(); i += 3) {
         const Vec3 c = toned(exposure * Vec3{light.data[i], light.data[i + 1], light.data[i + 2]}, picture.tone);
         const double values[3] = {c.x, c.y, c.z};
         for (std::size_t k = 0; k < 3; ++k)
-            out.data[i + k] = static_cast<unsigned char>(
-                std::lround(255.0f * srgb_from_linear(static_cast<float>(std::clamp(values[k], 0.0, 1.0)))));
+            out.data[i + k] = static_cast<T>(
+                std::lround(kMost * srgb_from_linear(static_cast<float>(std::clamp(values[k], 0.0, 1.0)))));
     }
     return out;
+}
+
+}  // namespace
+
+Image<unsigned char> display_encoded(const Image<float>& linear, double exposure_ev, const PictureSpec& picture) {
+    return encoded<unsigned char>(linear, exposure_ev, picture);
+}
+
+Image<unsigned short> display_encoded16(const Image<float>& linear, double exposure_ev, const PictureSpec& picture) {
+    return encoded<unsigned short>(linear, exposure_ev, picture);
 }
 
 }  // namespace nullscope

@@ -1,13 +1,22 @@
 #include "viewer/file_dialog.h"
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+
+#include "image/picture_formats.h"
 
 namespace nullscope::viewer {
 namespace {
 
 constexpr const char* kZenity = "zenity";
 constexpr const char* kKdialog = "kdialog";
+
+std::string patterns() {
+    std::string all = "*.toml";
+    for (const PictureFormat* format : kPictureFormats) all += " *" + std::string(format->ending);
+    return all;
+}
 
 }  // namespace
 
@@ -19,10 +28,10 @@ bool FileDialog::available() {
 Status FileDialog::open() {
     if (is_in_path(kZenity))
         return process_.start({kZenity, "--file-selection", "--title=Open a scene",
-                               "--file-filter=Scenes, and pictures that hold one | *.toml *.png *.jpg *.exr *.fits"});
+                               "--file-filter=Scenes, and pictures that hold one | " + patterns()});
     std::error_code error;
     return process_.start({kKdialog, "--getopenfilename", std::filesystem::current_path(error).string(),
-                           "Scenes, and pictures that hold one (*.toml *.png *.jpg *.exr *.fits)"});
+                           "Scenes, and pictures that hold one (" + patterns() + ")"});
 }
 
 // Both print the path in a line, after warnings of their libraries; without a choice they end with a status of 1.

@@ -129,7 +129,7 @@ class Pictures(support.CliTest):
         out = self.run_nullscope("compare", "a.jpg", "a.png").out
         mean = float(re.search(r"mean\s+([0-9.e-]+)", out).group(1))
         self.assertLess(mean, 0.01, out)
-        self.refused("capture", "flat", "-o", "a.gif", says=[".png, .jpg, .exr, .fits or .mp4"])
+        self.refused("capture", "flat", "-o", "a.gif", says=[".png", ".jpg", ".exr", ".fits", ".mp4"])
         self.run_nullscope("capture", "first-light", "--size", "%dx%d" % SIZE, "-o", "b.jpg", "--quality", "50")
         self.assertLess(2 * (self.folder / "b.jpg").stat().st_size, len(data))
         self.refused("capture", "flat", "--quality", "50", "-o", "c.png", says=["--quality", ".jpg"])

@@ -241,6 +241,15 @@ class Provenance(support.CliTest):
         self.run_nullscope("capture", moving, "--size", "32x18", "--layers", "--frames", "2:3", "--time-step", "4", "-o", "m%d.exr")
         self.drawn_again("m2.exr")   # with its motion vectors
 
+    def test_recorded_options_give_way_to_what_excludes_them(self):
+        """The number of samples is of a picture's colours: a map of where its pixels look has none."""
+        scene = self.write("s.toml", '[sky]\nkind = "checker"\n')
+        self.capture(scene, "a.png", "--size", "16x9", "--renderer", "reference", "--samples", "2")
+        self.assertIn("--samples 2", texts_of(self.folder / "a.png")["nullscope.options"])
+        options = self.capture("a.png", "map.exr", "--st-map", "sky")["nullscope.options"]
+        self.assertIn("--st-map sky", options)
+        self.assertIn("--samples 2", self.capture("map.exr", "b.png", "--samples", "2")["nullscope.options"])
+
     def test_files_are_looked_for_beside_the_picture_and_here(self):
         (self.folder / "scenes").mkdir()
         (self.folder / "out").mkdir()

@@ -26,12 +26,12 @@ FORBIDDEN = [
     ("src/render/planted.h", '  #  include <viewer/panels.h>', "does not let render include viewer"),
     ("src/cli/planted.h", '#include "viewer/panels.h"', "does not let cli include viewer"),
     ("src/viewer/planted.h", '#include "cli/capture.h"', "does not let viewer include cli"),
-    ("src/scene/planted.h", "#include <png.h>", "libpng is included in"),
+    ("src/scene/planted.h", "#include <png.h>", "PNG is included in"),
     ("src/viewer/planted.h", "#include <ft2build.h>", "FreeType is included in"),
-    ("src/sky/planted.h", "#include <jpeglib.h>", "libjpeg is included in"),
+    ("src/sky/planted.h", "#include <jpeglib.h>", "JPEG is included in"),
     ("src/sky/planted.h", "#include <OpenEXR/ImfRgbaFile.h>", "OpenEXR is included in"),
     ("src/cli/planted.h", "#include <ImfHeader.h>", "OpenEXR is included in"),
-    ("src/cli/planted.h", "#include <fitsio.h>", "CFITSIO is included in"),
+    ("src/cli/planted.h", "#include <fitsio.h>", "cfitsio is included in"),
     ("src/render/planted.h", '#include "imgui.h"', "Dear ImGui is included in"),
     ("src/cli/planted.h", "#include <imgui/imgui_impl_glfw.h>", "Dear ImGui is included in"),
     ("src/context/planted.h", "#include <GLFW/glfw3.h>", "GLFW is included in"),
@@ -108,7 +108,7 @@ def main():
     failures = []
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder)
-        for part in ("src", "shaders", "tests/layering"):
+        for part in ("src", "shaders", "tests/layering", "third_party"):
             if (ROOT / part).exists():
                 shutil.copytree(ROOT / part, copy / part, ignore=shutil.ignore_patterns("__pycache__"))
         before = check_layers.check(copy)

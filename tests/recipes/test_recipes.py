@@ -20,13 +20,16 @@ import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "viewer"))
 
 import depth
+from x_screen import read_png
 
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = ROOT / "CONTRIBUTING.md"
 QUICK = not depth.deep()
-RECIPES = ["a metric", "an effect", "a body kind", "a scene section"]
+RECIPES = ["a metric", "an effect", "a body kind", "a scene section", "an output format"]
+OF_SCENES = RECIPES[:4]   # each has one
 BUILT = ("build", "out")   # folders that are no part of the tree
 SIZE = "160x90"
 
@@ -133,7 +136,9 @@ def check_promises(steps):
     at_most("a body kind", 9, "src/", "shaders/")
     at_most("a scene section", 3, "src/", "shaders/")
     at_most("a scene section", 5, "")         # with its scene; docs/scenes.md makes six
-    for recipe in RECIPES:
+    at_most("an output format", 3, "src/", "shaders/")   # with src/CMakeLists.txt where a package writes it
+    at_most("an output format", 8, "")
+    for recipe in OF_SCENES:
         if not touched(recipe, "assets/scenes/"):
             raise Wrong(next(step.line for step in steps if step.recipe == recipe), f"{recipe} has no scene")
 
@@ -277,6 +282,18 @@ def judge_hit(pictures, scenes):
             raise AssertionError(f"a ray onto the cube, traced with {tracer}: {fates}")
 
 
+def judge_format(pictures):
+    """A pixmap has the bytes of the PNG, and is drawn again from itself."""
+    first, again = (pictures.folder / name for name in ("first.ppm", "again.ppm"))
+    run(pictures.program, "capture", "first-light", "--size", "64x36", "-o", first)
+    run(pictures.program, "capture", first, "-o", again)
+    png = pictures.folder / "first.png"
+    run(pictures.program, "capture", "first-light", "--size", "64x36", "-o", png)
+    data, shown = first.read_bytes(), read_png(png)
+    if data[-3 * 64 * 36:] != bytes(shown.data) or data != again.read_bytes():
+        raise AssertionError("a .ppm is not the .png, or not drawn again from itself")
+
+
 def main():
     arguments = sys.argv[1:]
     only_plant = arguments[:1] == ["--plant"]
@@ -300,6 +317,7 @@ def main():
         for name in SCENES:
             judge(pictures, folder / "assets/scenes", name)
         judge_hit(pictures, folder / "assets/scenes")
+        judge_format(pictures)
 
 
 if __name__ == "__main__":
