@@ -42,11 +42,13 @@ extern const PictureFormat kPngFormat;
 extern const PictureFormat kJpegFormat;
 extern const PictureFormat kExrFormat;
 extern const PictureFormat kFitsFormat;
+extern const PictureFormat kTiffFormat;
 inline constexpr std::array kPictureFormats = {
     &kPngFormat,   //
     &kJpegFormat,  //
     &kExrFormat,   //
     &kFitsFormat,  //
+    &kTiffFormat,  //
 };
 
 const PictureFormat* format_named(const std::filesystem::path& file);  // by its ending; nullptr: none of these
