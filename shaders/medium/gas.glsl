@@ -1,10 +1,12 @@
 // A soft disc: gas in circular orbits, Gaussian across the plane, with noise in rings (core/ring_noise.glsl) that go round at their own
-// rates. It emits as a black body does whose temperature falls as r^(-3/4).
+// rates. Its temperature falls as r^(-3/4).
 #include "core/ring_noise.glsl"
 #include "core/trig.glsl"
-#include "effect/black_body.glsl"
+#include "generated/medium_matter"
+#include "medium/matter.glsl"
+#include "medium/motion.glsl"
 #include "medium/place.glsl"
-#include "shared/frame.glsl"
+#include "path/trace"
 
 #define SOFT_OCTAVES 4
 #define SOFT_RING 0.3      // distance of the coarsest octave's rings in ln(rho)
@@ -25,11 +27,8 @@
 
 // Omega of circular orbits at 1/zeta, as object/disc_orbit.glsl.
 float gas_rate(float zeta) {
-    float w = sqrt(max(zeta * zeta * zeta * (frame.medium_gas_orbit.x - frame.medium_gas_orbit.y * zeta), 0.0));
-#ifdef EFFECT_SPIN
-    w /= 1.0 + frame.medium_hole.x * w;
-#endif
-    return w;
+    float w = sqrt(max(zeta * zeta * zeta * (GAS_RATE - GAS_RATE_CHARGE * zeta), 0.0));
+    return w / (1.0 + path_spin() * w);
 }
 
 #ifdef EFFECT_MEDIUM_MOTION
@@ -44,7 +43,7 @@ float gas_clumps(float x, float y, float turns, float wide, float up, float age)
     float moved = x;
     float lean = SOFT_LEAN * 0.125;
     float tilt = SOFT_TILT;
-    float contrast = frame.medium_gas_noise.x;
+    float contrast = GAS_CONTRAST;
     float density = 1.0;
     float seen = 1.0;
     int level = 0;
@@ -58,8 +57,8 @@ float gas_clumps(float x, float y, float turns, float wide, float up, float age)
         vec2 weights = ring_weights(at - ring);
         float middle = (ring - shift) * step;
         // Turns from where the rings' first cells were when the light left, trailing with ln(rho).
-        float from = lean * y + turns + frame.medium_gas_noise.y * (x - middle);
-        float next = from - frame.medium_gas_noise.y * step;
+        float from = lean * y + turns + GAS_WINDING * (x - middle);
+        float next = from - GAS_WINDING * step;
 #ifdef EFFECT_MEDIUM_MOTION
         float zeta = exp(-middle);
         from -= gas_moved(zeta, age);
@@ -82,19 +81,19 @@ float gas_clumps(float x, float y, float turns, float wide, float up, float age)
 }
 
 float gas_rim(float inside) {
-    float rim = clamp(inside * frame.medium_gas_heat.z, 0.0, 1.0);
+    float rim = clamp(inside * GAS_RIM, 0.0, 1.0);
     return rim * rim * (3.0 - 2.0 * rim);
 }
 
 // How long the next step may be. inside: of the rims, in ln(rho); y: scale heights; dense: optical depth for each r_s in the plane, inside.
 float gas_step(MediumPlace place, float rho, float inside, float y, float dense) {
     vec3 way = place.way * inversesqrt(max(dot(place.way, place.way), 1.0e-20));
-    float scale = max(rho, frame.medium_gas.x);
-    float height = frame.medium_gas.z * scale;
+    float scale = max(rho, GAS_INNER);
+    float height = GAS_THICKNESS * scale;
     float thin = 1.0 + SOFT_THIN * clamp(abs(y) - 1.0, 0.0, SOFT_HIGHEST - 1.0);
     float step = SOFT_STEP * thin * height / max(abs(way.z), SOFT_FLATTEST);
     float out_way = (place.at.x * way.x + place.at.y * way.y) / (rho * scale);   // of ln(rho)
-    float width = 1.0 / frame.medium_gas_heat.z;
+    float width = 1.0 / GAS_RIM;
     float across = min(SOFT_RIM * width + max(inside - width, 0.0), SOFT_ACROSS);
     step = min(step, across / max(abs(out_way), 1.0e-6));
     step = min(step, SOFT_DEEPEST / max(dense * gas_rim(inside) * exp(-0.5 * y * y), 1.0e-6));
@@ -106,15 +105,15 @@ float gas_step(MediumPlace place, float rho, float inside, float y, float dense)
     return min(step, sqrt(step * most) * exp(0.25 * min(nearest * nearest, 40.0)));
 }
 
-MediumLight medium_light(MediumPlace place) {
+MediumMatter medium_matter(MediumPlace place) {
     float rho = max(place.r * sqrt(max(1.0 - place.cosine * place.cosine, 0.0)), 1.0e-6);
-    float inner = frame.medium_gas.x;
-    float outer = frame.medium_gas.y;
-    float height = frame.medium_gas.z * rho;
+    float inner = GAS_INNER;
+    float outer = GAS_OUTER;
+    float height = GAS_THICKNESS * rho;
     float y = place.r * place.cosine / height;
     float x = log(rho);
     float inside = min(x - log(inner), log(outer) - x);
-    float age = frame.medium_gas_noise.z;
+    float age = GAS_TIME;
 #ifdef NEEDS_PLACE_LATE
     age -= place.delay;
 #endif
@@ -125,18 +124,16 @@ MediumLight medium_light(MediumPlace place) {
     float up_way = abs(place.way.z / height - y * out_way);
     float wide = (place.pixel / rho + abs(out_way)) / SOFT_RING + abs(round_way) * SOFT_CELLS_A_RADIAN;
     float clumps = gas_clumps(x, y, azimuth * 0.15915494309189533577, wide, up_way, age);
-    float density = abs(y) < SOFT_HIGHEST ? gas_rim(inside) * exp(-0.5 * y * y) * clumps : 0.0;
-    float g = medium_g_at_rate(place, gas_rate(1.0 / rho));
-    float heat = frame.medium_gas_heat.x - 0.75 * log2(max(rho, inner) / inner);
-    MediumLight light;
-    light.absorption = density * frame.medium_gas.w / (rho * g);
-    light.emission = light.absorption * frame.medium_colour.rgb * seen_black_body(heat, g, frame.medium_gas_heat.y);
-    light.step = gas_step(place, rho, inside, y, clumps * frame.medium_gas.w / rho);
-    return light;
+    MediumMatter matter = medium_nothing_there(gas_step(place, rho, inside, y, clumps * LAW_OPACITY / rho));
+    matter.density = abs(y) < SOFT_HIGHEST ? gas_rim(inside) * exp(-0.5 * y * y) * clumps : 0.0;
+    matter.over = rho;
+    matter.heat = GAS_HEAT - 0.75 * log2(max(rho, inner) / inner);
+    matter.temperature = exp2(matter.heat);
+    return medium_going_round(place, matter, gas_rate(1.0 / rho));
 }
 
 float medium_free(float r, float cosine) {
     float rho = r * sqrt(max(1.0 - cosine * cosine, 0.0));
-    float above = (abs(r * cosine) - SOFT_HIGHEST * frame.medium_gas.z * rho) * frame.medium_gas_heat.w;
-    return max(max(frame.medium_gas.x - rho, rho - frame.medium_gas.y), above);
+    float above = (abs(r * cosine) - SOFT_HIGHEST * GAS_THICKNESS * rho) * GAS_SURFACE;
+    return max(max(GAS_INNER - rho, rho - GAS_OUTER), above);
 }

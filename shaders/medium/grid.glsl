@@ -1,10 +1,11 @@
 // Matter of a file (scene/medium_grid.h): eight numbers of each node in two texels, between nodes linear in ln r, theta and phi.
 #include "core/trig.glsl"
 #include "generated/medium_matter"
-#include "medium/emission.glsl"
 #include "medium/matter.glsl"
+#include "medium/motion.glsl"
 #include "medium/place.glsl"
-#include "shared/frame.glsl"
+#include "medium/sphere.glsl"
+#include "path/azimuth"
 
 uniform highp sampler2DArray medium_texture;
 
@@ -29,44 +30,39 @@ GridNumbers grid_around(float ring, float polar, float left, float right, float 
 
 // at: number of nodes of ln r and of theta from the first one, within the grid, and turns of phi from it.
 GridNumbers grid_at(vec3 at) {
-    vec4 count = frame.medium_nodes;
-    float around = (at.z - floor(at.z)) * count.z;
+    float around = (at.z - floor(at.z)) * GRID_AROUND_COUNT;
     vec3 low = floor(vec3(at.x, at.y, around));
     vec3 part = vec3(at.x, at.y, around) - low;
-    float ring = min(low.x + 1.0, count.x - 1.0);
-    float polar = min(low.y + 1.0, count.y - 1.0);
-    float left = low.z < count.z && low.z > 0.0 ? low.z : 0.0;
-    float right = left + 1.0 < count.z ? left + 1.0 : 0.0;
+    float ring = min(low.x + 1.0, GRID_RING_COUNT - 1.0);
+    float polar = min(low.y + 1.0, GRID_POLAR_COUNT - 1.0);
+    float left = low.z < GRID_AROUND_COUNT && low.z > 0.0 ? low.z : 0.0;
+    float right = left + 1.0 < GRID_AROUND_COUNT ? left + 1.0 : 0.0;
     GridNumbers north = grid_mix(grid_around(low.x, low.y, left, right, part.z), grid_around(ring, low.y, left, right, part.z), part.x);
     GridNumbers south = grid_mix(grid_around(low.x, polar, left, right, part.z), grid_around(ring, polar, left, right, part.z), part.x);
     return grid_mix(north, south, part.y);
 }
 
-MediumLight medium_light(MediumPlace place) {
+MediumMatter medium_matter(MediumPlace place) {
     float across = sqrt(place.at.x * place.at.x + place.at.y * place.at.y);
     float theta = arc_tangent2(across, place.at.z);
-    float phi = bearing(place.at.y, place.at.x);
-#ifdef EFFECT_SPIN
-    phi += place.turn;
-#endif
-    vec4 grid = frame.medium_grid;
-    vec2 along = vec2((log(place.r) - grid.x) * grid.y, (theta - grid.z) * grid.w);
+    float phi = azimuth_plus(bearing(place.at.y, place.at.x), place.turn);
+    vec2 along = vec2((log(place.r) - GRID_RING) * GRID_RINGS, (theta - GRID_POLAR) * GRID_POLARS);
     // Far out a place is no number, and nothing that is found there is used.
-    float ring = along.x > 0.0 ? min(along.x, frame.medium_nodes.x - 1.0) : 0.0;
-    float polar = along.y > 0.0 ? min(along.y, frame.medium_nodes.y - 1.0) : 0.0;
-    GridNumbers found = grid_at(vec3(ring, polar, phi * 0.15915494309189533577 - frame.medium_scale.x));
+    float ring = along.x > 0.0 ? min(along.x, GRID_RING_COUNT - 1.0) : 0.0;
+    float polar = along.y > 0.0 ? min(along.y, GRID_POLAR_COUNT - 1.0) : 0.0;
+    GridNumbers found = grid_at(vec3(ring, polar, phi * 0.15915494309189533577 - GRID_AROUND));
     vec3 field = vec3(found.second.y, found.second.z, found.second.w);
     float strength = sqrt(dot(field, field));
-    MediumMatter matter;
-    matter.density = min(exp2(found.first.x) * frame.medium_scale.y, DENSEST_MATTER);
+    MediumMatter matter = medium_in_sphere(place);
+    matter.density = min(exp2(found.first.x) * GRID_DENSITY, DENSEST_MATTER);
     matter.temperature = exp2(found.second.x);
-    matter.field = strength * frame.medium_scale.z;
+    matter.field = strength * GRID_FIELD;
 #ifdef FIELD_DIRECTION
     matter.field_way = FIELD_DIRECTION;
 #else
     matter.field_way = field / max(strength, 1.0e-20);
 #endif
-    float fall = inversesqrt(max(1.0 - frame.medium_scale.w / place.r, LEAST_FALL));
-    matter.velocity = vec3(clamp(found.first.y * fall, -FASTEST_MATTER, FASTEST_MATTER), found.first.z, found.first.w);
-    return medium_emission(place, matter, medium_inside(place));
+    float fall = inversesqrt(max(1.0 - GRID_HORIZON / place.r, LEAST_FALL));
+    vec3 velocity = vec3(clamp(found.first.y * fall, -FASTEST_MATTER, FASTEST_MATTER), found.first.z, found.first.w);
+    return medium_moving(place, medium_heated(matter), velocity);
 }

@@ -1,5 +1,7 @@
 // The march through matter, as every kind of path has it: spans of a ray between two of its places, with samples on the cubic between them.
 #include "generated/medium"
+#include "generated/medium_law"
+#include "medium/matter.glsl"
 #include "medium/place.glsl"
 #include "shared/frame.glsl"
 
@@ -43,9 +45,7 @@ struct MediumSpan {
     float momentum;
     float pixel_angle;
     vec3 camera;         // its place
-#ifdef EFFECT_SPIN
-    vec2 turns;          // azimuth that both ends have more
-#endif
+    vec2 turns;          // azimuth that both ends have more (MediumPlace::turn)
 #ifdef NEEDS_PLACE_LATE
     vec2 delays;         // of light from both ends
 #endif
@@ -83,10 +83,11 @@ float medium_jump(float free, float before, float length, float r) {
     return min(max(free, min(0.9 * free / max(closer, 0.5), 0.15 * r)), MEDIUM_FARTHEST * r);
 }
 
-// How much of a span the next sample is, where `left` of it is left. Gas has samples as long as it allows where they begin, in whole numbers:
+// How much of a span the next sample is, where `left` of it is left. Some matter has samples as long as it
+// allows where they begin, in whole numbers:
 // the last one is no shorter than most.
 float medium_share(float wanted, float left) {
-#ifdef EFFECT_MEDIUM_GAS
+#ifdef MEDIUM_OWN_STEPS
     return left / max(floor(left / max(wanted, MEDIUM_SHORTEST) + 0.5), 1.0);
 #else
     return 1.0 / float(MEDIUM_SAMPLES);
@@ -117,9 +118,7 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
         at.begin = begin;
         at.way = end - begin;
         vec3 away = at.at - span.camera;
-#ifdef EFFECT_SPIN
         at.turn = mix(span.turns.x, span.turns.y, s);
-#endif
         at.pixel = span.pixel_angle * sqrt(dot(away, away));
 #ifdef NEEDS_PLACE_LATE
         at.delay = mix(span.delays.x, span.delays.y, s);
@@ -129,7 +128,7 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
         float way = sigma * span.way * share;
         begin = end;
         first = last;
-        MediumLight found = medium_light(at);
+        MediumLight found = medium_light(at, medium_matter(at));
         bool there = !empty && at.r > frame.medium_hole.w && at.r < frame.medium_bound.x;
         float along = 0.0;
 #ifdef MEDIUM_MEAN
@@ -137,7 +136,7 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
 #endif
         sum = medium_add(sum, found, there ? way : 0.0, along);
         sum.step = there ? found.step * frame.medium_bound.z * (2.0 - sum.through) : sum.step;
-#ifdef EFFECT_MEDIUM_GAS
+#ifdef MEDIUM_OWN_STEPS
         first = sum.through > MEDIUM_LEAST ? first : 1.0;
 #endif
     } while (first < 1.0 - 0.5 * MEDIUM_SHORTEST);

@@ -1,8 +1,12 @@
 // Thermal synchrotron radiation of relativistic electrons, in units of 1e-20 erg/(s Hz sr) an electron a cm^3.
 // In a field of one direction: Leung, Gammie and Noble 2011 (ApJ 737, 21); mean over all directions: Mahadevan, Narayan and Yi
 // 1996 (ApJ 465, 327), for relativistic electrons. COLDEST_K and FIELD_DIRECTED: generated/medium_matter.
-
+#include "generated/medium_matter"
+#include "medium/light.glsl"
 #include "medium/matter.glsl"
+#include "medium/motion.glsl"
+#include "medium/place.glsl"
+#include "shared/frame.glsl"
 
 #define ELECTRON_K 5.92989658e9         // m c^2/k
 #define GYRO_GHZ 2.79924899e-3          // e/(2 pi m c), GHz a gauss
@@ -44,4 +48,18 @@ float log2_synchrotron(MediumMatter matter, vec3 way, float frequency) {
     return log2(0.444305 * 4.0505) + log2(frequency) - log_bessel - log_x * (1.0 / 6.0) + log2(1.0 + quarter * (0.4 + 0.5316 * quarter)) +
            LOG2_E * (1.0 / theta - 1.8899 * third);
 #endif
+}
+
+MediumLight medium_light(MediumPlace place, MediumMatter matter) {
+    float log_g = log2(matter.g);
+    float log_density = medium_log_density(matter);
+    vec3 seen = medium_seen(place, matter);
+    float frequency = LAW_FREQUENCY * exp2(-LAW_SHIFT * log_g);
+    float log_emitted = log_density + LAW_UNIT + log2_synchrotron(matter, seen, frequency) - log_g;
+    float log_black = LAW_BLACK - 2.0 * LAW_SHIFT * log_g + log2_planck_temperature(matter.temperature, frequency);
+    float log_emission = log_emitted + LAW_BEAMING * log_g;
+    float log_absorption = log_emitted - log_black;
+    bool shines = matter.density > 0.0 && matter.temperature >= COLDEST_K && matter.field > 0.0;
+    matter.inside = shines ? matter.inside : 0.0;
+    return medium_stepped(matter, medium_by_logarithms(matter, log_emission, log_absorption));
 }

@@ -23,9 +23,9 @@ struct MediumWalk {
     MediumSum sum;        // of what medium_to() went along
 };
 
-// In place of segment_place(): without the azimuth that the hole's rotation adds, which winds up next to the horizon. Gas ends before that.
+// In place of segment_place(): without the azimuth that the hole's rotation adds, which winds up next to the horizon. What has MEDIUM_AZIMUTH ends before that.
 RayPlace medium_place(SpinRay ray, SpinSegment segment, float s) {
-#ifndef EFFECT_MEDIUM_GAS
+#ifndef MEDIUM_AZIMUTH
     vec4 y = spin_at(segment.arc, s);
     vec4 slope = spin_slope_at(segment.arc, s);
     RayPlace place;
@@ -50,11 +50,11 @@ RayPlace medium_place(SpinRay ray, SpinSegment segment, float s) {
 
 // That azimuth, where matter is not the same all round: Boyer and Lindquist's, or Kerr and Schild's where a grid has it.
 float medium_turn(SpinRay ray, SpinSegment segment, float s) {
-#ifdef MEDIUM_BY_PLACE
+#ifdef MEDIUM_TURN
     vec4 y = spin_at(segment.arc, s);
     float turned = segment_turned(ray, segment, s, y);
 #ifdef EFFECT_MEDIUM_GRID
-    turned -= frame.medium_nodes.w * spin_winding(ray, y.w, spin_fine_at(segment.arc, s, y.w));
+    turned -= GRID_KERR_SCHILD * spin_winding(ray, y.w, spin_fine_at(segment.arc, s, y.w));
 #endif
     return turned;
 #else
@@ -135,7 +135,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
             RayPlace place = medium_place(walk.ray, walk.segment, walk.part);
             do {
                 bool empty = false;
-#ifdef EFFECT_MEDIUM_GAS
+#ifdef MEDIUM_OWN_STEPS
                 bool comes = false;
 #endif
                 float before = 1.0e6;
@@ -148,7 +148,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
                     // On its way out beyond the outermost matter nothing more follows.
                     bool over = place.r > frame.medium_bound.x && dot(place.velocity, place.outward) > 0.0;
                     empty = over || free > walk.sum.step;   // a span is longer
-#ifdef EFFECT_MEDIUM_GAS
+#ifdef MEDIUM_OWN_STEPS
                     comes = comes || empty;
 #endif
                     jump = empty ? jump : 0.0;
@@ -156,7 +156,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
                     place = medium_place(walk.ray, walk.segment, walk.part);
                     walk.spans -= 1;
                 } while (empty && walk.part < last && walk.spans > 0);
-#ifdef EFFECT_MEDIUM_GAS
+#ifdef MEDIUM_OWN_STEPS
                 walk.sum.step = comes ? frame.medium_bound.y : walk.sum.step;   // from outside of it
 #endif
                 length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);

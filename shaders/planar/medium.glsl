@@ -38,7 +38,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
     RayPlace place = medium_at(trace, walk.tangent, walk.along);
     do {
         bool empty = false;
-#ifdef EFFECT_MEDIUM_GAS
+#ifdef MEDIUM_OWN_STEPS
         bool comes = false;
 #endif
         float before = 1.0e6;
@@ -51,7 +51,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
             // Within the innermost matter and on the way out beyond the outermost there is nothing more.
             bool over = place.r_along < 0.0 ? place.r < frame.medium_hole.w : place.r > frame.medium_bound.x;
             empty = over || free > walk.sum.step;   // a span is longer
-#ifdef EFFECT_MEDIUM_GAS
+#ifdef MEDIUM_OWN_STEPS
             comes = comes || empty;
 #endif
             jump = empty ? jump : 0.0;
@@ -59,7 +59,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
             place = medium_at(trace, walk.tangent, walk.along);
             walk.spans -= 1;
         } while (empty && walk.along < last && walk.spans > 0);
-#ifdef EFFECT_MEDIUM_GAS
+#ifdef MEDIUM_OWN_STEPS
         walk.sum.step = comes ? frame.medium_bound.y : walk.sum.step;   // from outside of it
 #endif
         length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
@@ -77,6 +77,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
         span.to_slope = more * place_velocity(next);
         span.way = rate * more;
         span.by_length = MEDIUM_BY_LENGTH;
+        span.turns = vec2(0.0);
         span.energy = energy;
         span.momentum = momentum;
         span.pixel_angle = trace.pixel_angle;

@@ -125,30 +125,13 @@ struct FrameData {
     vec4 medium_hole;    // a, radii of the outer and of the inner horizon; the radius within which no matter is looked for
     vec4 medium_bound;   // radius beyond which there is none; of its march: least step, steps over what is enough; exposure by which
                          //   edges are found (effect/edge.glsl) where the picture is a flux, else 0
-    vec4 medium_colour;  // light of the densest matter for each r_s, without shift
-#endif
-#ifdef BLOCK_MEDIUM_FLOW
-    vec4 medium_flow;    // 1/radius, flattening, momentum (of M), absorption of the densest matter for each r_s, without shift
-    vec4 medium_powers;  // of g in the emission, and in the absorption, for each unit of the affine parameter; 0, 0
-#endif
-#ifdef BLOCK_MEDIUM_GAS
-    vec4 medium_gas;       // inner and outer radius, scale height over the radius, optical depth for each radius in the plane
-    vec4 medium_gas_heat;  // log2 of the temperature (K) at the inner radius and of its luminance; 1/width of the rims in ln r; cosine of the angle
-                           //   between the plane and where the gas ends
-    vec4 medium_gas_noise; // contrast, turns by which filaments trail for each unit of ln r, time (r_s/c), 0
-    vec4 medium_gas_orbit; // Omega^2 = zeta^3 (x - y zeta); 0, 0
-#endif
-#ifdef BLOCK_MEDIUM_EMISSION
-    vec4 medium_extent;    // radius and |z| where matter ends, longest sample, r_s; time, r_s/c
-    vec4 medium_law;       // power law: powers of g in the emission and in the absorption for each unit of the affine parameter, log2 of the absorption
-                           //   where the density is 1, and of the light for each r_s; black body: log2 of the luminance of light 1, optical depth for each r_s where the density is 1;
-                           //   synchrotron: frequency (GHz), log2 of the light for each r_s of 1e-20 erg/(s cm^3 Hz sr), log2 of the light of a
-                           //   black body of 1 K at low frequency
-    vec4 medium_seen;      // 1 where light is shifted, 3 where it is beamed, 0, 0
-#endif
-#ifdef BLOCK_MEDIUM_GRID
-    vec4 medium_grid;      // ln of the first node's r, nodes for each unit of ln r; theta of the first node, nodes a radian
-    vec4 medium_nodes;     // numbers of nodes along r, theta, phi; 1 where phi is Kerr and Schild's, else 0
-    vec4 medium_scale;     // turns of the first node's phi; factors on density and field; radius of the horizon
+    vec4 medium_colour;  // factor on its light, 0
+    vec4 medium_law_0;   // of its emission law, by the names of kLawNumbers (src/plan/medium_model.h)
+    vec4 medium_law_1;
+    vec4 medium_law_2;
+    vec4 medium_form_0;  // of its model, by the names of MediumModel::numbers
+    vec4 medium_form_1;
+    vec4 medium_form_2;
+    vec4 medium_form_3;
 #endif
 };

@@ -6,6 +6,7 @@
 
 #include "plan/body_kind.h"
 #include "plan/feature.h"
+#include "plan/medium_model.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -65,12 +66,12 @@ bool has_marched(const EffectSet& effects) {
             return true;
     return false;
 }
-bool has_medium(const EffectSet& effects) {
-    return effects.contains(Effect::kMediumFlow) || effects.contains(Effect::kMediumGas) || has_emission(effects);
+const MediumModel* model_of(const EffectSet& effects) {
+    for (const MediumModel* model : medium_models())
+        if (effects.contains(model->effect.effect)) return model;
+    return nullptr;
 }
-bool has_emission(const EffectSet& effects) {
-    return effects.contains(Effect::kMediumFormula) || effects.contains(Effect::kMediumGrid);
-}
+bool has_medium(const EffectSet& effects) { return model_of(effects) != nullptr; }
 bool has_tiles(const EffectSet& effects) {
     if (has_medium(effects)) return false;  // nor do they of matter
     // Rays of tiles know nothing of the swings that a zoom leaves out.
@@ -92,7 +93,7 @@ bool has_projection(const EffectSet& effects) {
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool shades_heat(const EffectSet& effects) {
     return effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kSpot) ||
-           effects.contains(Effect::kMediumGas) || effects.contains(Effect::kMediumBlackBody) ||
+           effects.contains(medium_effect(MediumKind::kGas)) || effects.contains(Effect::kMediumBlackBody) ||
            (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));
 }
 bool takes_samples(const EffectSet& effects) {

@@ -71,21 +71,22 @@ enum class Effect {
     kCylindrical,
     kCubeFaces,
     kWarp,
-    kMediumFlow,
-    kMediumGas,
-    kMediumMotion,
-    kMediumFormula,
+    kMediumFirst,  // one for each MediumKind: medium_effect()
+    kMediumMotion = kMediumFirst + kMediumKinds,
     kMediumBlackBody,
     kMediumSynchrotron,
-    kMediumGrid,
     kEnd  // no effect: how many there are
 };
+// That there is a medium of a kind.
+constexpr Effect medium_effect(MediumKind kind) {
+    return static_cast<Effect>(static_cast<int>(Effect::kMediumFirst) + static_cast<int>(kind));
+}
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);
 
 // Where any number of effects stand side by side in a shader, each by one function of its own file (shaderlib/slots.h).
 // kDiscGlow: vec3 NAME(Trace, DiscCrossing, float delay), light of the disc's place whatever covers it. These add up.
 // kDiscLight: float NAME(float cosine), factor on the disc's heat by the angle to the normal at which the light leaves its matter.
-// kMedium: matter along the ray; one at a time, whose file defines medium_light() and medium_free() (medium/place.glsl).
+// kMedium: matter along the ray; one at a time, whose file defines medium_matter() and medium_free() (medium/matter.glsl).
 enum class Slot { kNone, kDiscGlow, kDiscLight, kMedium };
 struct SlotPart {
     Slot slot = Slot::kNone;
@@ -148,7 +149,6 @@ bool has_marched(
 bool has_projection(const EffectSet& effects);  // other than the pinhole
 bool has_solids(const EffectSet& effects);      // any solid body
 bool has_medium(const EffectSet& effects);      // matter along rays
-bool has_emission(const EffectSet& effects);    // matter whose light follows from its density, temperature and field
 bool shades_heat(const EffectSet& effects);     // black bodies in the picture's shader: the table of their light
 bool takes_samples(const EffectSet& effects);   // pixels with several rays each
 bool meets_objects(const EffectSet& effects);   // anything that needs positions along rays: ray ends, orbit table

@@ -33,8 +33,8 @@ struct FrameFacts {
     bool thermal() const { return scene.disc && scene.disc->emission == DiscEmission::kThermal; }
     bool spot() const { return scene.disc && !scene.spots.empty(); }
     bool gas() const { return scene.medium && scene.medium->kind == MediumKind::kGas; }
-    bool has_emission(MediumEmission kind) const {
-        return scene.medium && scene.medium->by_place() && scene.medium->emission == kind;
+    bool has_emission(MediumEmission kind) const {  // of a medium that has a choice
+        return scene.medium && scene.medium->kind != MediumKind::kGas && scene.medium->emission == kind;
     }
     double frequency() const { return scene.medium ? scene.medium->frequency_GHz : 0.0; }
     bool points() const { return scene.sky.kind == SkyKind::kPoints; }

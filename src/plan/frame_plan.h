@@ -24,6 +24,12 @@ struct FramePlan {
     bool straight() const { return matter != light; }  // light that a metric would bend runs straight
 };
 
+// The scene's time, less the camera's r where light takes time: from this the shader takes the delays of places (FrameData::delay). From afar
+// floats have no digits left for the difference of the two. r_s/c.
+inline double late_time(const FramePlan& plan) {
+    return plan.scene.time - (plan.effects.contains(Effect::kDelay) ? plan.scene.camera.r : 0.0);
+}
+
 // light_times: how long light takes is known also where nothing is seen late; what is seen does not depend on it. last: its spacetimes are kept where they are the
 // same. Errors: unknown metric, no such observer at camera.r, parts of light or objects that the metric does not have.
 Result<FramePlan> plan_frame(const Scene& scene, bool light_times = false, const FramePlan* last = nullptr);

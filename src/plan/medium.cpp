@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.h"
 #include "expr/formula.h"
+#include "light/black_body.h"
+#include "plan/medium_model.h"
 #include "scene/medium_grid.h"
 #include "spacetime/axial_metric.h"
-#include "spacetime/circular_orbit.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
@@ -24,31 +26,6 @@ std::optional<MediumHole> medium_hole(const Spacetime& spacetime) {
     return MediumHole{0, roots->outer, roots->inner};
 }
 
-namespace {
-
-// Of a file: what is wrong with it, another hole's spin (flat space takes any), an end of the matter beyond its last nodes.
-std::optional<SceneFault> grid_fault(const Spacetime& spacetime, const MediumSpec& medium) {
-    constexpr double kSame = 1e-6;  // of spins and radii
-    const auto grid = load_medium_grid(medium.file);
-    if (!grid) return file_fault("medium.file", medium.file, grid.error(), "a grid of matter");
-    const auto hole = medium_hole(spacetime);
-    const double spin = (*grid)->spin(), a = hole ? 2.0 * hole->a : 0.0, farthest = (*grid)->farthest();
-    if (spacetime.bends_light() && std::abs(spin - a) > kSame)
-        return SceneFault{"medium.file",
-                          fmt::format("its matter is about a hole of spin {}, the scene's has {}", spin, a),
-                          fmt::format("a file with spin {}", a)};
-    if (medium.outer > (1.0 + kSame) * farthest)
-        return SceneFault{"medium.outer", fmt::format("{} is beyond the last node of medium.file", medium.outer),
-                          fmt::format("at most {:.9g}", farthest), "medium.file"};
-    if (spacetime.bends_light() && hole && (*grid)->nearest() <= hole->outer)
-        return SceneFault{"medium.file",
-                          fmt::format("its first node, r = {:.9g}, is not outside the horizon", (*grid)->nearest()),
-                          fmt::format("a file whose first r is above {:.9g}", hole->outer)};
-    return std::nullopt;
-}
-
-}  // namespace
-
 std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& scene) {
     std::vector<SceneFault> faults;
     if (!scene.medium) return faults;
@@ -63,16 +40,13 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
                                   {"light.aberration", scene.light.aberration}})
         if (!on) faults.push_back({key, "off, which matter along rays does not have", "on with a [medium]"});
     const MediumSpec& medium = *scene.medium;
-    if (medium.kind == MediumKind::kGas && !(medium.inner < medium.outer))
+    const MediumModel& model = model_of(medium);
+    if ((model.shares & kInner) != 0 && !(medium.inner < medium.outer))
         faults.push_back(
             {"medium.outer", fmt::format("{} is not above inner = {}", medium.outer, medium.inner), "inner < outer"});
-    if (medium.kind == MediumKind::kGas && spacetime.bends_light() && !circular_orbit(spacetime, medium.inner))
-        faults.push_back({"medium.inner", fmt::format("no circular orbit at {}", medium.inner),
-                          "a radius outside the photon sphere"});
     if (medium.kind != MediumKind::kGrid && medium.field_direction == FieldDirection::kFile)
         faults.push_back({"medium.field_direction", "no file has this field", "file where kind = \"grid\""});
-    if (medium.kind == MediumKind::kGrid && !medium.file.empty())
-        if (auto fault = grid_fault(spacetime, medium)) faults.push_back(std::move(*fault));
+    if (model.faults != nullptr) model.faults(spacetime, scene, faults);
     if (medium.by_frequency() && !scene.object.mass())
         faults.push_back({"object.mass_suns", "missing, but there is a [medium] that shines at one frequency",
                           "the mass that gives lengths their centimetres, or object.name", "medium.kind"});
@@ -82,14 +56,14 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
 std::string medium_note(const Spacetime& spacetime, const Scene& scene) {
     constexpr double kNoCharge = 1e-12;  // of outer inner - a^2, which is Q^2
     if (!scene.medium || scene.medium->kind != MediumKind::kGrid) return "";
-    const auto grid = load_medium_grid(scene.medium->file);
+    const auto grid = load_medium_grid(scene.medium->grid.file);
     if (!grid) return "";
     const auto hole = medium_hole(spacetime);
     const bool flat = !spacetime.bends_light(),
                charged = hole && std::abs(hole->outer * hole->inner - hole->a * hole->a) > kNoCharge;
     if (!flat && !charged) return "";
     return without_controls(fmt::format("medium.file: the matter of {} is about a hole of spin {}{}; {}",
-                                        in_quotes(scene.medium->file.filename().string()), (*grid)->spin(),
+                                        in_quotes(scene.medium->grid.file.filename().string()), (*grid)->spin(),
                                         flat ? "" : " without charge",
                                         flat ? "the scene's space is flat" : "the scene's hole has one"));
 }
@@ -114,27 +88,22 @@ const std::vector<std::string>& medium_variables() {
 }
 
 const char* medium_moves(const MediumSpec& medium) {
-    if (medium.kind == MediumKind::kGas) return medium.flow != DiscFlowKind::kStill ? "medium.flow" : nullptr;
-    if (medium.kind != MediumKind::kFormula) return nullptr;
-    const MediumFormulas& f = medium.formulas;
-    const auto asks = [](const std::string& text) {
-        constexpr std::size_t kTime = 4;
-        const auto formula = expr::Formula::parse(text, medium_variables());
-        return formula && formula->uses(kTime);
-    };
-    const bool thermal = medium.emission != MediumEmission::kPowerLaw;
-    if (asks(f.density)) return "medium.density";
-    if (thermal && asks(f.temperature)) return "medium.local_temperature";
-    if (medium.emission == MediumEmission::kSynchrotron && asks(f.field)) return "medium.field";
-    if (asks(f.outward)) return "medium.velocity_out";
-    if (asks(f.south)) return "medium.velocity_south";
-    return asks(f.east) ? "medium.velocity_east" : nullptr;
+    const MediumModel& model = model_of(medium);
+    if (model.moves != nullptr) return model.moves(medium);
+    return (model.shares & kWarmth) != 0 ? warmth_moves(medium) : nullptr;
 }
 
-double medium_farthest(const MediumSpec& medium) {
-    if (medium.by_place()) return medium.outer;
-    return medium.kind == MediumKind::kFlow ? kFlowScales * medium.radius
-                                            : medium.outer * std::hypot(1.0, kGasHeights * medium.thickness);
+double medium_farthest(const MediumSpec& medium) { return model_of(medium).farthest(medium); }
+
+bool asks_for_time(const std::string& text) {
+    constexpr std::size_t kTime = 4;
+    const auto formula = expr::Formula::parse(text, medium_variables());
+    return formula && formula->uses(kTime);
+}
+
+const char* warmth_moves(const MediumSpec& medium) {
+    if (medium.law_row().temperature && asks_for_time(medium.formulas.temperature)) return "medium.local_temperature";
+    return medium.law_row().field && asks_for_time(medium.formulas.field) ? "medium.field" : nullptr;
 }
 
 double medium_light_cgs(double frequency_ghz) {
@@ -147,6 +116,44 @@ FlowNumbers flow_numbers(const MediumSpec& medium, double mass_suns) {
     const double x = medium.frequency_GHz / kReference_GHz, along = medium.emissivity * r_s_cm;
     return {along * std::pow(x, -medium.spectral_index) / medium_light_cgs(medium.frequency_GHz),
             medium.absorption * along * std::pow(x, -2.5 - medium.spectral_index)};
+}
+
+namespace {
+
+constexpr double kMostLight = 1e30;
+
+// Of what may be 0: far below all that counts.
+double logarithm(double number) { return std::log2(std::max(number, 1e-300)); }
+
+}  // namespace
+
+LawNumbers law_numbers(const FramePlan& plan) {
+    const MediumSpec& medium = *plan.scene.medium;
+    const MediumModel& model = model_of(medium);
+    const double mass = plan.scene.object.mass().value_or(0.0);
+    // Powers of the frequency by which light that is seen with its frequency times g differs, and by which its intensity does.
+    const double shift = plan.scene.light.shift ? 1.0 : 0.0, beaming = plan.scene.light.beaming ? 3.0 : 0.0;
+    LawNumbers law{
+        {shift, beaming, medium.frequency_GHz, model.opacity != nullptr ? model.opacity(medium) : medium.opacity,
+         logarithm(1e-20 * 100.0 * schwarzschild_radius_m(mass) / medium_light_cgs(medium.frequency_GHz)),
+         -std::log2(kMediumLight_K), log2_brightness(medium.temperature_K, plan.scene.light.bolometric),
+         late_time(plan)},
+        medium.brightness};
+    if (medium.law() != MediumEmission::kPowerLaw) return law;
+    FlowNumbers flow = flow_numbers(medium, mass);
+    if (model.traits.any_density) {
+        flow = {logarithm(flow.emission), logarithm(flow.absorption)};
+    } else {  // densities are 1 at most; where it is opaque beyond what has room in a float it is as bright
+        flow.emission *= medium.density_scale, flow.absorption *= medium.density_scale;
+        const double most = std::max({flow.absorption, flow.emission * medium.brightness, kMostLight}) / kMostLight;
+        law.light = medium.brightness * flow.emission / most;
+        flow.absorption /= most;
+    }
+    // In g^3 j(nu/g) dlambda/g and alpha(nu/g) dlambda/g.
+    for (const double value : {beaming + shift * medium.spectral_index - 1.0,
+                               shift * (2.5 + medium.spectral_index) - 1.0, flow.absorption, flow.emission})
+        law.values.push_back(value);
+    return law;
 }
 
 }  // namespace nullscope

@@ -68,15 +68,15 @@ double planck(double temperature, double nu) {
     return 2 * kPlanck * nu * nu * nu / (kLight * kLight) / std::expm1(kPlanck * nu / (kBoltzmann * temperature));
 }
 
+namespace {
+
+// Of a node along which source and absorption are even: light `emitted` along it without absorption.
 MatterLight even_light(const MediumSpec& spec, double emitted, double depth) {
     const double share = depth > 1e-8 ? -std::expm1(-depth) / depth : 1 - 0.5 * depth;
     return {emitted * share * spec.brightness * spec.colour, std::exp(-depth)};
 }
 
-double unit_light_of(const MediumSpec& spec, const LightSpec& light) {
-    return std::exp2(log2_brightness(spec.temperature_K, light.bolometric));
-}
-
+// Of a black body that is seen with its frequencies times `ratio`, over one of spec.temperature_K, whose brightness is unit_light.
 MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, double unit_light, double temperature_K,
                              double ratio, double depth) {
     const Vec3 source = seen_black_body(temperature_K, ratio, light) / unit_light;
@@ -84,10 +84,13 @@ MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, dou
     return {-std::expm1(-depth) * spec.brightness * coloured, std::exp(-depth)};
 }
 
+}  // namespace
+
 Emission::Emission(const Scene& scene) : spec_(*scene.medium), light_(scene.light) {
-    unit_light_ = unit_light_of(spec_, light_);
+    unit_light_ = std::exp2(log2_brightness(spec_.temperature_K, light_.bolometric));
     unit_cgs_ = medium_light_cgs(spec_.frequency_GHz);
     length_cm_ = 100 * schwarzschild_radius_m(scene.object.mass().value_or(0.0));
+    if (spec_.kind != MediumKind::kGas) opacity_ = spec_.opacity;
 }
 
 Emission::Seen Emission::seen(const MatterState& matter, const PlaceMetric& g, const MediumNode& node, double energy,
@@ -118,25 +121,32 @@ MatterLight Emission::at(const MatterState& matter, const PlaceMetric& g, const 
                          double momentum) const {
     const auto [frequency, cosine] = seen(matter, g, node, energy, momentum);
     const double ratio = 1 / frequency, length = node.way * frequency;
-    if (spec_.emission == MediumEmission::kBlackBody)
+    if (spec_.law() == MediumEmission::kBlackBody)
         return black_body_light(spec_, light_, unit_light_, matter.temperature_K, ratio,
-                                matter.density * spec_.opacity * length);
-    const double shift = light_.shift ? frequency : 1, bright = light_.beaming ? ratio * ratio * ratio : 1,
-                 nu = 1e9 * spec_.frequency_GHz * shift;
-    double emitted = 0, absorbed = 0;  // a cm
-    if (spec_.emission == MediumEmission::kPowerLaw) {
-        constexpr double kReference = 230e9;
-        emitted = spec_.emissivity * matter.density * std::pow(nu / kReference, -spec_.spectral_index);
-        absorbed = spec_.absorption * spec_.emissivity * matter.density *
-                   std::pow(nu / kReference, -2.5 - spec_.spectral_index);
-    } else {
-        emitted = spec_.field_direction == FieldDirection::kIsotropic
-                      ? synchrotron_mean(matter.density, matter.temperature_K, matter.field_G, nu)
-                      : synchrotron_at(matter.density, matter.temperature_K, matter.field_G,
-                                       std::sqrt(std::max(1 - cosine * cosine, 0.0)), nu);
-        if (emitted > 0) absorbed = emitted / planck(matter.temperature_K, nu);
-    }
+                                matter.density * opacity_ * length);
+    const double shift = light_.shift ? frequency : 1, bright = light_.beaming ? ratio * ratio * ratio : 1;
+    const auto [emitted, absorbed] = coefficients(matter, 1e9 * spec_.frequency_GHz * shift, cosine);
     return even_light(spec_, bright * emitted * length * length_cm_ / unit_cgs_, absorbed * length * length_cm_);
+}
+
+Emission::Coefficients Emission::coefficients(const MatterState& matter, double nu, double cosine) const {
+    double emitted = 0;
+    switch (spec_.law()) {
+        case MediumEmission::kPowerLaw: {
+            constexpr double kReference = 230e9;
+            const double along = spec_.emissivity * matter.density, x = nu / kReference;
+            return {along * std::pow(x, -spec_.spectral_index),
+                    spec_.absorption * along * std::pow(x, -2.5 - spec_.spectral_index)};
+        }
+        case MediumEmission::kBlackBody: break;
+        case MediumEmission::kSynchrotron:
+            emitted = spec_.field_direction == FieldDirection::kIsotropic
+                          ? synchrotron_mean(matter.density, matter.temperature_K, matter.field_G, nu)
+                          : synchrotron_at(matter.density, matter.temperature_K, matter.field_G,
+                                           std::sqrt(std::max(1 - cosine * cosine, 0.0)), nu);
+            break;
+    }
+    return {emitted, emitted > 0 ? emitted / planck(matter.temperature_K, nu) : 0};  // Kirchhoff's law
 }
 
 }  // namespace nullscope::reference

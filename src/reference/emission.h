@@ -15,13 +15,6 @@ struct MatterLight {
     double through;
 };
 
-// Of a node along which source and absorption are even: of light `emitted` along it without absorption, and of a black body that is seen with
-// its frequencies times `ratio`, over one of spec.temperature_K, whose brightness is unit_light. depth: optical depth.
-double unit_light_of(const MediumSpec& spec, const LightSpec& light);
-MatterLight even_light(const MediumSpec& spec, double emitted, double depth);
-MatterLight black_body_light(const MediumSpec& spec, const LightSpec& light, double unit_light, double temperature_K,
-                             double ratio, double depth);
-
 struct MatterState {
     double density, temperature_K, field_G;
     Vec3 field_way;  // of kFile: the field's direction
@@ -30,7 +23,7 @@ struct MatterState {
 
 class Emission {
 public:
-    explicit Emission(const Scene& scene);  // of a scene with a medium by place
+    explicit Emission(const Scene& scene);  // of a scene with a medium
     // Along one node. energy, momentum: of a photon of unit frequency in the camera; r_s.
     MatterLight at(const MatterState& matter, const PlaceMetric& g, const MediumNode& node, double energy,
                    double momentum) const;
@@ -42,9 +35,15 @@ private:
     };
     Seen seen(const MatterState& matter, const PlaceMetric& g, const MediumNode& node, double energy,
               double momentum) const;
+    struct Coefficients {
+        double emissivity, absorptivity;  // erg/(s cm^3 Hz sr), 1/cm
+    };
+    // nu: where the matter rests, Hz; cosine: of the light's angle to the field there.
+    Coefficients coefficients(const MatterState& matter, double nu, double cosine) const;
     MediumSpec spec_;
     LightSpec light_;
     double length_cm_ = 0;  // r_s
+    double opacity_ = 1;    // of a black body for each r_s where the density is 1
     double unit_light_ = 1, unit_cgs_ = 1;
 };
 

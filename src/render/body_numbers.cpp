@@ -9,9 +9,7 @@
 #include "plan/moving.h"
 #include "scene/named_surface.h"
 #include "shaderlib/body_text.h"
-#include "spacetime/axial_metric.h"
 #include "spacetime/circular_orbit.h"
-#include "spacetime/spherical_metric.h"
 
 namespace nullscope {
 namespace {
@@ -96,12 +94,6 @@ std::array<FrameVector, 3> spot_numbers(const SpotSpec& spot, const FramePlan& p
 
 }  // namespace
 
-std::array<double, 2> circular_rate_numbers(const Spacetime& matter) {
-    if (const AxialMetric* axial = matter.axial()) return {0.5, axial->charge2()};
-    const LapseRoots roots = matter.spherical()->lapse_roots().value_or(LapseRoots{0, 0});
-    return {0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};
-}
-
 SolidFormula solid_of(const SurfaceSpec& surface) { return {surface_shape(surface), surface.bound}; }
 
 void put_march(FrameData& frame, const FramePlan& plan, const BallPaths& paths) {
@@ -172,10 +164,6 @@ void put_patterns(FrameData& frame, const Scene& scene) {
     Material dome = scene.sky.material;
     dome.brightness = scene.sky.brightness;
     put_material(frame.sky_pattern_map, frame.sky_pattern_colour, frame.sky_pattern_second, dome);
-}
-
-double late_time(const FramePlan& plan) {
-    return plan.scene.time - (plan.effects.contains(Effect::kDelay) ? plan.scene.camera.r : 0.0);
 }
 
 void put_moving(FrameData& frame, const FramePlan& plan) {

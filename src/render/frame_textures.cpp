@@ -129,10 +129,10 @@ Status add_files(const Scene& scene, const EffectSet& effects, List& to) {
         const auto bytes = static_cast<long long>(sizeof(float) * warp_texels(**mesh, input_half(scene.camera)).size());
         to.add("warp mesh", 1, kWarpRow, bytes / (kTexel * kWarpRow), bytes, is<Effect::kWarp>);
     }
-    if (effects.contains(Effect::kMediumGrid)) {
-        TRY(grid, load_medium_grid(scene.medium->file));
+    if (effects.contains(medium_effect(MediumKind::kGrid))) {
+        TRY(grid, load_medium_grid(scene.medium->grid.file));
         to.add("medium grid", (*grid)->around().count, 2LL * (*grid)->rings().count, (*grid)->polar().count,
-               static_cast<long long>((*grid)->bytes()), is<Effect::kMediumGrid>);
+               static_cast<long long>((*grid)->bytes()), is<medium_effect(MediumKind::kGrid)>);
     }
     return Done{};
 }

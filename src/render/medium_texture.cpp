@@ -9,7 +9,7 @@ Status MediumTexture::update(const std::optional<MediumSpec>& medium, const gl::
         *this = {};
         return Done{};
     }
-    TRY(grid, load_medium_grid(medium->file));
+    TRY(grid, load_medium_grid(medium->grid.file));
     if (grid_ == *grid) return Done{};
     const int width = 2 * (*grid)->rings().count, height = (*grid)->polar().count, layers = (*grid)->around().count;
     if (width > info.max_texture_size || height > info.max_texture_size || layers > info.max_layers)

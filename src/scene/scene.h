@@ -10,6 +10,7 @@
 
 #include "base/vec.h"
 #include "scene/known_object.h"
+#include "scene/medium_spec.h"
 #include "spacetime/metric_parameters.h"
 
 namespace nullscope {
@@ -178,16 +179,6 @@ struct AccretionSpec {
     friend bool operator==(const AccretionSpec&, const AccretionSpec&) = default;
 };
 
-// Motion of a disc's pattern: none, or every ring at the angular velocity of circular geodesics (docs/time.md).
-enum class DiscFlowKind { kStill, kKepler };
-
-// Turbulent gas: what the disc's light is multiplied by, of mean 1 at every radius (docs/light.md). With DiscFlowKind::kKepler it moves.
-struct GasSpec {
-    double contrast = 0.7;  // [0, 1]; 0: smooth
-    double winding = 4.0;   // rad by which filaments trail for each unit of ln r, [0, 30]
-    friend bool operator==(const GasSpec&, const GasSpec&) = default;
-};
-
 // Effects on a disc's light that are on or off, each with a key (scenefile/scene_keys.h, on_off_key).
 struct DiscEffects {
     bool limb_darkening = false;  // thermal: Chandrasekhar's law for an electron-scattering atmosphere
@@ -226,65 +217,6 @@ struct SpotSpec {
     int count = 1;
     friend bool operator==(const SpotSpec&, const SpotSpec&) = default;
 };
-
-// Matter that emits and absorbs light along rays (docs/matter.md).
-// kFlow: a hot flow about the hole that shines by a power law (Gold et al. 2020), seen at one frequency.
-// kGas: a soft disc of gas in circular orbits, that emits as a black body.
-// kFormula: density, temperature, magnetic field and motion are formulas of the place; `emission` says how it shines.
-// kGrid: the same of a file (scene/medium_grid.h).
-enum class MediumKind { kGas, kFlow, kFormula, kGrid };
-enum class MediumEmission { kPowerLaw, kBlackBody, kSynchrotron };
-// Of the magnetic field in the frame of the matter; kIsotropic: the mean over all directions; kFile: the file's, of kGrid alone.
-enum class FieldDirection { kIsotropic, kOutward, kSouth, kEast, kFile };
-// Formulas (docs/expressions.md) of x, y, z, r in r_s and of t in r_s/c.
-struct MediumFormulas {
-    std::string density =
-        "exp(-r^2/18)";               // of kPowerLaw and kBlackBody: over that of emissivity, opacity; electrons a cm^3
-    std::string temperature = "1e4";  // K; of kSynchrotron: of the electrons
-    std::string field = "10";         // kSynchrotron: magnetic field, G
-    // Four-velocity along (e_r, e_theta, e_phi) of the observer of no angular momentum at the place: gamma v, c.
-    std::string outward = "0", south = "0", east = "0";
-    friend bool operator==(const MediumFormulas&, const MediumFormulas&) = default;
-};
-struct MediumSpec {
-    MediumKind kind = MediumKind::kGas;
-    // kGas: from inner to outer, Gaussian across the plane; temperature (r/inner)^(-3/4).
-    double inner = 3.0, outer = 12.0;
-    double thickness = 0.1;         // scale height over the radius
-    double optical_depth = 4.0;     // along the normal
-    double edge = 0.25;             // of both rims, in ln r
-    double temperature_K = 8000.0;  // at the inner radius
-    GasSpec gas{};                  // its density's clumps, with the same words as a disc's
-    DiscFlowKind flow = DiscFlowKind::kStill;
-    // kFlow: density exp(-((r/radius)^2 + (flattening cos theta)^2)/2), angular momentum per energy momentum R^1.5/(1 + R), R = r sin theta,
-    // in M. Emissivity and absorptivity at 230 GHz in the matter's frame, where the density is 1; nu^-spectral_index and
-    // nu^-(2.5 + spectral_index) times that.
-    double radius = 5.0, flattening = 0.0, momentum = 1.0, spectral_index = 0.0;
-    double emissivity = 3e-18;     // erg/(s cm^3 Hz sr)
-    double absorption = 0.0;       // absorptivity over emissivity
-    double frequency_GHz = 230.0;  // at which the camera looks
-    // kGrid: the file, and a factor on its densities; on its fields the root of that.
-    std::filesystem::path file{};
-    double density_scale = 1.0;
-    // kFormula and kGrid: within the sphere of radius `outer` and |z| < height.
-    MediumFormulas formulas{};
-    MediumEmission emission = MediumEmission::kPowerLaw;
-    FieldDirection field_direction = FieldDirection::kIsotropic;
-    double height = 1e6;
-    double opacity = 1.0;  // kBlackBody: optical depth for each r_s where the density is 1
-    int steps = 64;        // across the sphere
-    bool by_frequency() const {
-        return kind == MediumKind::kFlow || (by_place() && emission != MediumEmission::kBlackBody);
-    }
-    // It has MediumEmission.
-    bool by_place() const { return kind == MediumKind::kFormula || kind == MediumKind::kGrid; }
-    // Linear light; 1 is a brightness temperature of kMediumLight_K where by_frequency(), else a black body of temperature_K.
-    Vec3 colour{1, 1, 1};
-    double brightness = 1.0;
-    double step = 1.0;  // of the march, over the usual one (docs/matter.md says how exact that is)
-    friend bool operator==(const MediumSpec&, const MediumSpec&) = default;
-};
-inline constexpr double kMediumLight_K = 1e9;
 
 // Solid bodies: opaque, a ray ends on the first one it meets. Lengths in r_s, in flat coordinates: (r, theta, phi) as spherical ones; in
 // wormholes (|l|, theta, phi) on one side of the throat, which is the centre; Body::far: l < 0. See plan/body_kind.h.

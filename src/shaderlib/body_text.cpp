@@ -387,6 +387,7 @@ BodyText body_text(const Scene& scene, const EffectSet& effects) {
     BodyText text;
     text.materials = materials_of(scene);
     text.medium = medium_text(scene);
+    text.law = medium_law_text(scene);
     text.objects = objects_text(groups, scene);
     if (groups.empty()) return text;
     text.surfaces = surfaces_text(groups);

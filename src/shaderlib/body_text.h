@@ -12,7 +12,7 @@ namespace nullscope {
 
 inline constexpr int kBallPathAhead = 64;  // cells of a ball's path, for which a node knows the largest acceleration
 
-// What generated/objects, surfaces, bodies_march, bodies_hit, bodies_light, materials and medium_matter stand for where a shader includes them.
+// What generated/objects, surfaces, bodies_march, bodies_hit, bodies_light, materials, medium_matter and medium_law stand for where a shader includes them.
 // Compared as a whole: two scenes with equal texts and equal effects have one program.
 struct BodyText {
     std::string objects;    // OBJECT_VECTORS and where in them what begins
@@ -21,7 +21,8 @@ struct BodyText {
     std::string hit;        // solid_hit: the first body on the ray; about a rotating hole the tracer finds it
     std::string light;      // solid_light: and its light
     std::string materials;  // disc_material_pattern, sky_pattern: what a disc and a sky without images are painted with
-    std::string medium;     // medium_matter: density, temperature, field and motion by formula
+    std::string medium;     // medium_matter: names of its numbers, and what is by formula
+    std::string law;        // medium_law: the file of its emission law
     friend auto operator<=>(const BodyText&, const BodyText&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 

@@ -2,13 +2,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "expr/formula.h"
 #include "plan/medium.h"
-#include "scene/medium_grid.h"
+#include "plan/medium_model.h"
 #include "shaderlib/shader_source.h"
 
 namespace nullscope {
 namespace {
+
+// By their order, four to a vector of the uniform block.
+std::string names_text(std::string_view names, std::string_view vectors) {
+    std::istringstream words{std::string(names)};
+    std::string text;
+    int number = 0;
+    for (std::string word; words >> word; ++number)
+        text += fmt::format("#define {} frame.{}_{}.{}\n", word, vectors, number / 4, "xyzw"[number % 4]);
+    return text;
+}
 
 std::string function_text(const char* name, const std::string& formula) {
     const auto parsed = expr::Formula::parse(formula, medium_variables());
@@ -16,45 +29,62 @@ std::string function_text(const char* name, const std::string& formula) {
                        name, parsed ? parsed->glsl("value") : "    float value = 0.0;\n");
 }
 
-}  // namespace
-
-std::string medium_text(const Scene& scene) {
-    if (!scene.medium || !scene.medium->by_place()) return "";
-    const MediumSpec& medium = *scene.medium;
+std::string field_direction_text(const MediumSpec& medium) {
     constexpr const char* kDirections[] = {"vec3(0.0)", "vec3(1.0, 0.0, 0.0)", "vec3(0.0, 1.0, 0.0)",
                                            "vec3(0.0, 0.0, 1.0)"};
     std::string text = fmt::format("#define COLDEST_K {:.1f}\n", kColdest_K);
     if (medium.field_direction != FieldDirection::kIsotropic) text += "#define FIELD_DIRECTED\n";
-    const bool of_file = medium.field_direction == FieldDirection::kFile;
-    const char* direction = of_file ? "" : kDirections[static_cast<int>(medium.field_direction)];
-    if (medium.kind == MediumKind::kGrid) {
-        text += fmt::format("#define DENSEST_MATTER {:e}\n#define FASTEST_MATTER {:.1f}\n#define LEAST_FALL {:e}\n",
-                            MediumGrid::kDensest, kFastestMatter, MediumGrid::kLeastFall);
-        return of_file ? text : text + fmt::format("#define FIELD_DIRECTION {}\n", direction);
-    }
-    text += include_line("effect/expression.glsl") + include_line("medium/matter.glsl");
+    if (medium.field_direction == FieldDirection::kFile) return text;
+    return text + fmt::format("#define FIELD_DIRECTION {}\n", kDirections[static_cast<int>(medium.field_direction)]);
+}
+
+}  // namespace
+
+std::string medium_text(const Scene& scene) {
+    if (!scene.medium) return "";
+    const MediumSpec& medium = *scene.medium;
+    const MediumModel& model = model_of(medium);
+    std::string text =
+        names_text(kLawNumbers, "medium_law") + names_text(model.numbers, "medium_form") + field_direction_text(medium);
+    text += fmt::format("#define DENSEST_MATTER {:e}\n#define FASTEST_MATTER {:.1f}\n#define LEAST_FALL {:e}\n",
+                        MediumGrid::kDensest, kFastestMatter, MediumGrid::kLeastFall);
+    if ((model.shares & kWarmth) == 0) return text;
+    const MediumFormulas& f = medium.formulas;
     const auto value = [&](const char* name, const std::string& formula, bool used) {
         if (!used) return std::string("0.0");
         text += function_text(name, formula);
         return fmt::format("medium_{}(at.x, at.y, at.z, r, t)", name);
     };
-    const MediumFormulas& f = medium.formulas;
-    const std::string density = value("density", f.density, true),
-                      temperature = value("temperature", f.temperature, medium.emission != MediumEmission::kPowerLaw),
-                      field = value("field", f.field, medium.emission == MediumEmission::kSynchrotron),
-                      outward = value("outward", f.outward, true), south = value("south", f.south, true),
-                      east = value("east", f.east, true);
+    const bool formula = medium.kind == MediumKind::kFormula;
+    text += include_line("effect/expression.glsl") + include_line("medium/matter.glsl");
+    const std::string density = value("density", f.density, formula),
+                      temperature = value("temperature", f.temperature, medium.law_row().temperature),
+                      field = value("field", f.field, medium.law_row().field),
+                      outward = value("outward", f.outward, formula), south = value("south", f.south, formula),
+                      east = value("east", f.east, formula);
+    text += fmt::format(
+        "MediumMatter medium_warmth(MediumMatter matter, vec3 at, float r, float t) {{\n"
+        "    matter.temperature = {};\n"
+        "    matter.field = {};\n"
+        "    matter.field_way = {};\n"
+        "    return matter;\n"
+        "}}\n",
+        temperature, field, medium.field_direction == FieldDirection::kFile ? "vec3(0.0)" : "FIELD_DIRECTION");
+    if (!formula) return text;
     return text + fmt::format(
-                      "MediumMatter medium_matter(vec3 at, float r, float t) {{\n"
-                      "    MediumMatter matter;\n"
+                      "MediumMatter medium_formulas(MediumMatter matter, vec3 at, float r, float t) {{\n"
                       "    matter.density = max({}, 0.0);\n"
-                      "    matter.temperature = {};\n"
-                      "    matter.field = {};\n"
-                      "    matter.field_way = {};\n"
                       "    matter.velocity = clamp(vec3({}, {}, {}), -{:.1f}, {:.1f});\n"
                       "    return matter;\n"
                       "}}\n",
-                      density, temperature, field, direction, outward, south, east, kFastestMatter, kFastestMatter);
+                      density, outward, south, east, kFastestMatter, kFastestMatter);
+}
+
+std::string medium_law_text(const Scene& scene) {
+    if (!scene.medium) return "";
+    std::string file(scene.medium->law_row().word);
+    std::ranges::replace(file, '-', '_');
+    return include_line(fmt::format("medium/{}.glsl", file));
 }
 
 }  // namespace nullscope

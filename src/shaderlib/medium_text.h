@@ -1,4 +1,4 @@
-// The shader's text for matter by formula (shaders/medium/formula.glsl).
+// The shader's text for matter along rays: what its model (shaders/medium) is told by the scene, and its emission law.
 #pragma once
 #include <string>
 
@@ -6,7 +6,10 @@
 
 namespace nullscope {
 
-// medium_matter and what it calls; FIELD_DIRECTION. Empty where there is no such matter. Formulas must be valid.
+// generated/medium_matter: names of the numbers of model and law; COLDEST_K, FIELD_DIRECTION; medium_temperature() and medium_field() where
+// the model has none and the law asks for them; of kFormula formula_matter(). Empty where there is no matter. Formulas must be valid.
 std::string medium_text(const Scene& scene);
+// generated/medium_law: the law's file.
+std::string medium_law_text(const Scene& scene);
 
 }  // namespace nullscope

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "plan/medium_model.h"
 #include "shaderlib/embedded.h"
 #include "shaderlib/preprocess.h"
 #include "shaderlib/slots.h"
@@ -62,8 +63,14 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     }
     if (takes_samples(effects)) defines.emplace_back("NEEDS_SAMPLING");
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
-    if (has_medium(effects)) defines.emplace_back("BLOCK_MEDIUM");
-    if (has_emission(effects)) defines.insert(defines.end(), {"BLOCK_MEDIUM_EMISSION", "MEDIUM_BY_PLACE"});
+    if (const MediumModel* model = model_of(effects)) {
+        defines.emplace_back("BLOCK_MEDIUM");
+        for (const auto& [has, define] : {std::pair{model->traits.own_steps, "MEDIUM_OWN_STEPS"},
+                                          {model->traits.azimuth, "MEDIUM_AZIMUTH"},
+                                          {model->traits.turn, "MEDIUM_TURN"},
+                                          {model->traits.any_density, "MEDIUM_ANY_DENSITY"}})
+            if (has) defines.emplace_back(define);
+    }
     if (has_projection(effects)) defines.emplace_back("BLOCK_PROJECTION");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
     if (has_marched(effects) && light_path_kind(effects) == LightPathKind::kPlanar && !effects.contains(Effect::kSides))
@@ -216,6 +223,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         {"generated/bodies_hit", bodies.hit},
         {"generated/bodies_light", bodies.light},
         {"generated/materials", bodies.materials},
+        {"generated/medium_law", bodies.law},
         {"generated/medium_matter", bodies.medium}};
     for (SlotText& filled : slot_texts(effects)) generated[filled.name] = std::move(filled.text);
     const char* path = light_path_kind(effects) == LightPathKind::kMino ? "mino" : "planar";

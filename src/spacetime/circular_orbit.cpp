@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "spacetime/axial_metric.h"
+#include "spacetime/spherical_metric.h"
+
 namespace nullscope {
 namespace {
 
@@ -58,6 +61,12 @@ std::array<double, 2> divided(double inside_r, const Is& is, double outside_r = 
 std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r) {
     const auto equator = spacetime.equator(r);
     return equator ? orbit_in(*equator) : std::nullopt;
+}
+
+std::array<double, 2> circular_rate_numbers(const Spacetime& spacetime) {
+    if (const AxialMetric* axial = spacetime.axial()) return {0.5, axial->charge2()};
+    const LapseRoots roots = spacetime.spherical()->lapse_roots().value_or(LapseRoots{0, 0});
+    return {0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};
 }
 
 double light_orbit(const Spacetime& spacetime, Sense sense) {

@@ -6,6 +6,7 @@
 // E = -u_t, L = u_phi (Bardeen, Press and Teukolsky 1972). With D = g_tphi^2 - g_tt g_phiphi and
 // N = E^2 g_phiphi + 2 E L g_tphi + L^2 g_tt, D g_rr (u^r)^2 = N - D: the orbit is stable where N'' < D''.
 #pragma once
+#include <array>
 #include <optional>
 
 #include "spacetime/spacetime.h"
@@ -22,6 +23,10 @@ struct CircularOrbit {
 // Nothing where there is no such geodesic: at and inside light's own circular orbit, and where the spacetime has no
 // Equator. Flat space: matter at rest.
 std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r);
+
+// Of A = (1 - x zeta)(1 - y zeta), by which matter goes round with w^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta) and
+// Omega = w/(1 + a w); about a rotating hole A = 1 - zeta + charge2 zeta^2 takes its place. In flat space matter rests.
+std::array<double, 2> circular_rate_numbers(const Spacetime& spacetime);
 
 // Towards growing phi, or against it; the same without rotation.
 enum class Sense { kPrograde, kRetrograde };

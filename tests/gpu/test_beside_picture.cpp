@@ -91,7 +91,7 @@ std::vector<BesideCase> others() {
              [=](Scene& s) { disc(s).opacity = 0.7, clump(s), s.spacetime.metric = "kerr"; }},
             {"gas about a hole, with a ball", [](Scene& s) {
                  moving_ball(BallMotion::kOrbit, "schwarzschild")(s);
-                 s.medium.emplace().flow = DiscFlowKind::kKepler;
+                 s.medium.emplace().gas.flow = DiscFlowKind::kKepler;
              }}};
 }
 

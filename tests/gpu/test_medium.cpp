@@ -35,7 +35,7 @@ Scene flux_scene(const FluxCase& test, int size) {
     scene.camera.width = scene.camera.height = size;
     MediumSpec& medium = scene.medium.emplace();
     medium.kind = MediumKind::kFlow;
-    medium.flattening = test.flattening, medium.momentum = test.momentum, medium.spectral_index = test.index;
+    medium.flow.flattening = test.flattening, medium.flow.momentum = test.momentum, medium.spectral_index = test.index;
     medium.absorption = test.absorption;
     return scene;
 }
@@ -110,7 +110,7 @@ TEST_CASE("medium: a smooth soft disc is the reference's" * test::costly()) {
             scene.camera.r = 24, scene.camera.theta = 1.4;
             scene.camera.width = 64, scene.camera.height = 36;
             MediumSpec& medium = scene.medium.emplace();
-            medium.inner = 2.6, medium.outer = 10, medium.gas.contrast = 0, medium.optical_depth = 2;
+            medium.inner = 2.6, medium.outer = 10, medium.gas.clumps.contrast = 0, medium.gas.optical_depth = 2;
             const Image<float> reference = reference_picture(scene);
             const Difference off = difference(drawn(session, scene), reference, kPixel);
             CHECK(std::abs(off.flux) < kFlux);
@@ -141,7 +141,7 @@ TEST_CASE("medium: clumps go round with the gas, seen where they were when their
                 scene.camera.width = 48 / part, scene.camera.height = 27 / part;
                 scene.time = 70;
                 MediumSpec& medium = scene.medium.emplace();
-                medium.inner = 2.6, medium.outer = 10, medium.flow = flow, medium.step = 0.1;
+                medium.inner = 2.6, medium.outer = 10, medium.gas.flow = flow, medium.step = 0.1;
                 const Difference off = difference(drawn(session, scene), reference_picture(scene), kPixel);
                 CHECK(off.above <= kMost * 48 * 27 / (part * part));
                 CHECK(std::abs(off.flux) < 0.02);
@@ -169,7 +169,7 @@ TEST_CASE("medium: before and behind a translucent disc and a ball" * test::cost
             Body& ball = scene.bodies.emplace_back(Body{BallSpec{{6, 9, 4}, 3}});
             ball.material.colour = {0.2, 0.5, 1};
             MediumSpec& medium = scene.medium.emplace();
-            medium.kind = MediumKind::kFlow, medium.absorption = 3e4, medium.flattening = 2;
+            medium.kind = MediumKind::kFlow, medium.absorption = 3e4, medium.flow.flattening = 2;
             const Difference off = difference(drawn(session, scene), reference_picture(scene), kPixel);
             CHECK(off.above <= kMost * 144 * size * size);
             CHECK(std::abs(off.flux) < 0.01);

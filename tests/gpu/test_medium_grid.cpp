@@ -23,8 +23,8 @@ Scene grid_scene(const TemporaryFolder& folder, const char* metric, const GridFo
     scene.camera.width = scene.camera.height = by_depth(20, 32, 64);
     MediumSpec& medium = scene.medium.emplace();
     medium.kind = MediumKind::kGrid, medium.outer = 8, medium.steps = 128;
-    medium.file = folder.path / fmt::format("{}-{}.grid", metric, form.coordinates);
-    REQUIRE(write_text_atomically(medium.file, grid_bytes(form, node)));
+    medium.grid.file = folder.path / fmt::format("{}-{}.grid", metric, form.coordinates);
+    REQUIRE(write_text_atomically(medium.grid.file, grid_bytes(form, node)));
     return scene;
 }
 

@@ -81,7 +81,7 @@ TEST_CASE("medium within: a soft disc is the reference's" * test::costly()) {
                 if (!selection.takes_next()) continue;
                 CAPTURE(r);
                 Scene scene = within_scene(one.metric, one.spin, r, theta * M_PI / 180);
-                scene.medium->gas.contrast = 0;
+                scene.medium->gas.clumps.contrast = 0;
                 checked(session, "soft disc", scene, kFlux, kPixel);
                 scene.medium->step = 0.5;
                 checked(session, "soft disc", scene, kFineFlux, kFinePixel);
@@ -95,7 +95,7 @@ TEST_CASE("medium within: every other kind is the reference's" * test::costly())
         Selection selection(4);
         for (const WithinCase& one : kMetrics) {
             Scene flow = within_scene(one.metric, one.spin, 3, 1.4);
-            flow.medium->kind = MediumKind::kFlow, flow.medium->absorption = 3e4, flow.medium->flattening = 2;
+            flow.medium->kind = MediumKind::kFlow, flow.medium->absorption = 3e4, flow.medium->flow.flattening = 2;
             Scene power = within_scene(one.metric, one.spin, 6, 1.2);
             power.medium->kind = MediumKind::kFormula, power.medium->outer = 12;
             power.medium->formulas = {.density = "2e5*exp(-(r/5)^2 - (2*z/r)^2)", .east = "0.3"};
@@ -111,7 +111,7 @@ TEST_CASE("medium within: every other kind is the reference's" * test::costly())
             warm.medium->formulas = {.density = "exp(-(z/2)^2)", .temperature = "20000/(r + 2)"};
             Scene grid = within_scene(one.metric, one.spin, 6, 1.4);
             grid.medium->kind = MediumKind::kGrid, grid.medium->emission = MediumEmission::kSynchrotron;
-            grid.medium->file = assets_directory() / "medium/torus.grid", grid.medium->outer = 12;
+            grid.medium->grid.file = assets_directory() / "medium/torus.grid", grid.medium->outer = 12;
             for (const auto& [name, scene] : {std::pair{"flow", &flow},
                                               {"power law", &power},
                                               {"synchrotron", &synchrotron},

@@ -7,6 +7,7 @@
 
 #include "base/assets.h"
 #include "base/atomic_file.h"
+#include "plan/medium_model.h"
 #include "render/frame_textures.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
@@ -40,7 +41,7 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     if (effects.contains(Effect::kSky)) names.insert("sky");
     if (effects.contains(Effect::kFarSky)) names.insert("far sky");
     if (effects.contains(Effect::kWarp)) names.insert("warp mesh");
-    if (effects.contains(Effect::kMediumGrid)) names.insert("medium grid");
+    if (effects.contains(medium_effect(MediumKind::kGrid))) names.insert("medium grid");
     if (effects.contains(Effect::kBodyImage))
         for (std::size_t i = 0; i < body_images(scene).size(); ++i)
             names.insert(body_image_name(scene, static_cast<int>(i)));
@@ -76,18 +77,13 @@ std::vector<Scene> full_scenes() {
     ball.texture = TextureKind::kFormula, ball.formula = "u"s;
     Material& surface = add_body<SurfaceSpec>(holes).material;
     surface.texture = TextureKind::kImage, surface.image = assets_directory() / "sky" / "milky-way.jpg";
-    holes.medium.emplace().flow = DiscFlowKind::kKepler;
-    scenes[4].medium.emplace().kind = MediumKind::kFlow;
-    scenes[4].object.mass_suns = 4e6;
+    holes.medium.emplace().gas.flow = DiscFlowKind::kKepler;
     scenes[7].medium.emplace().kind = scenes[8].medium.emplace().kind = MediumKind::kFormula;
     scenes[7].medium->emission = MediumEmission::kBlackBody;
     scenes[8].medium->emission = MediumEmission::kSynchrotron;
     scenes[7].object.mass_suns = scenes[8].object.mass_suns = 4e6;
     scenes[9].spacetime = {"kerr", {{"spin", 0.9}}};
     scenes[9].camera.r = 1.1;
-    scenes[9].medium.emplace().kind = MediumKind::kGrid;
-    scenes[9].medium->file = assets_directory() / "medium" / "torus.grid";
-    scenes[9].object.mass_suns = 4e6;
     scenes[1].spacetime.metric = "ellis";
     add_body<BallSpec>(scenes[1]).far = true;
     scenes[2].spacetime.metric = "neutron-star";
@@ -123,6 +119,12 @@ std::vector<Scene> full_scenes() {
     scenes[5].camera.warp = assets_directory() / "warp" / "mirror.data";
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
     scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false, 2};
+    for (const MediumModel* model : medium_models()) {
+        Scene& scene = scenes.emplace_back();
+        scene.camera = scenes.front().camera;
+        model->before(scene), model->with(scene);
+        scene.sky.kind = SkyKind::kBlack;
+    }
     return scenes;
 }
 

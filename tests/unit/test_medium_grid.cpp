@@ -148,8 +148,8 @@ TEST_CASE("medium grid: a file of another hole, or one that ends before the matt
         scene.object.mass_suns = 1e6;
         MediumSpec& medium = scene.medium.emplace();
         medium.kind = MediumKind::kGrid, medium.outer = outer;
-        medium.file = folder.path / std::to_string(++number);
-        REQUIRE(write_text_atomically(medium.file, grid_bytes(form, even)));
+        medium.grid.file = folder.path / std::to_string(++number);
+        REQUIRE(write_text_atomically(medium.grid.file, grid_bytes(form, even)));
         const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
         REQUIRE(spacetime);
         const auto faults = medium_faults(**spacetime, scene);

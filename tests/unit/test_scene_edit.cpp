@@ -9,8 +9,8 @@
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_text.h"
-#include "support/costly.h"
 #include "scenefile/sections.h"
+#include "support/costly.h"
 
 using namespace nullscope;
 

@@ -1,5 +1,6 @@
 // The text that goes to the driver: nothing of an effect that is off is in it.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <map>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "plan/effects.h"
+#include "plan/medium_model.h"
 #include "scene/bodies.h"
 #include "shaderlib/embedded.h"
 #include "shaderlib/preprocess.h"
@@ -64,7 +66,8 @@ std::vector<Scene> all_scenes() {
                 if (material != nullptr && kind == TextureKind::kFormula) material->formula = "sin(u)";
             if (has(2) && has(4) && !has(9)) scene.disc->flow = DiscFlowKind::kKepler;
             if (has(2) && has(7) && has(9)) scene.spots.emplace_back();
-            if (has(3) && has(5) && !scene.camera.zoom) scene.medium.emplace().kind = static_cast<MediumKind>(bits % 4);
+            if (has(3) && has(5) && !scene.camera.zoom)
+                scene.medium.emplace().kind = static_cast<MediumKind>(bits % kMediumKinds);
             if (scene.medium) scene.medium->emission = static_cast<MediumEmission>(bits / 4 % 3);
             if (has(7) && has(4) && has(3)) first_shape<BallSpec>(scene)->motion = BallMotion::kOrbit;
             if (has(5) && has(8) && has(1)) first_shape<SphereSpec>(scene)->amplitude = 0.1;
@@ -138,12 +141,9 @@ const std::vector<Mark> kMarks = {
     {Effect::kPulse, {"pulse_room"}},
     {Effect::kInnerHorizon, {"inner_horizon_time("}},
     {Effect::kLimbDarkening, {"limb_darkening(", "disc_cosine(", "disc_light("}},
-    {Effect::kMediumFlow, {"vec4 medium_flow;", "vec4 medium_powers;"}},
-    {Effect::kMediumGas, {"gas_clumps(", "vec4 medium_gas;"}},
     {Effect::kMediumMotion, {"gas_moved("}},
-    {Effect::kMediumFormula, {"medium_matter("}},
-    {Effect::kMediumGrid, {"medium_texture", "grid_at(", "vec4 medium_grid;", "vec4 medium_nodes;"}},
-    {Effect::kMediumBlackBody, {"medium_glow("}},
+    {medium_effect(MediumKind::kGrid), {"medium_texture", "grid_at(", "GRID_RING"}},
+    {Effect::kMediumBlackBody, {}},  // gas has its shader too: see below
     {Effect::kMediumSynchrotron, {"log2_synchrotron(", "log2_planck_temperature("}},
     {Effect::kDiscGas, {"disc_gas(", "disc_gas_gaps(", "vec4 disc_gas;"}},
 };
@@ -204,6 +204,12 @@ TEST_CASE(
                 CHECK_MESSAGE((text.find(word) != std::string::npos) == set.contains(mark.effect), word);
         const bool several = set.contains(Effect::kSamples) || set.contains(Effect::kRefine);
         CHECK((text.find("frame.sampling") != std::string::npos) == several);
+        const bool glows = scene.medium && scene.medium->law() == MediumEmission::kBlackBody;
+        CHECK((text.find("medium_glow(") != std::string::npos) == glows);
+        for (const MediumModel* model : medium_models())
+            CHECK((text.find(fmt::format("// {}\n", model->effect.part.file)) != std::string::npos) ==
+                  set.contains(model->effect.effect));
+        CHECK((text.find("vec4 medium_form_0;") != std::string::npos) == scene.medium.has_value());
         for (const char* left : {"EFFECT_", "BLOCK", "BODY", "TEXTURE_", "MAPPING_", "__cplusplus", "#if", "#include"})
             CHECK(text.find(left) == std::string::npos);
         check_places(text);
@@ -270,13 +276,14 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 80);
+    CHECK(members.size() == 75);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {
     for (const EffectRow* row : effect_rows()) {
         bool found = false;
         for (const Mark& mark : kMarks) found = found || mark.effect == row->effect;
+        found = found || row->part.slot == Slot::kMedium;  // its file is looked for
         CHECK_MESSAGE(found, row->key);
     }
 }

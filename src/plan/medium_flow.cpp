@@ -1,0 +1,60 @@
+// A hot flow about the hole (Gold et al. 2020).
+#include <fmt/format.h>
+
+#include "plan/medium.h"
+#include "plan/medium_model.h"
+
+namespace nullscope {
+namespace {
+
+bool is_flow(const Scene& s) { return s.medium->kind == MediumKind::kFlow; }
+constexpr std::string_view kFlow = "kind = \"flow\"";
+
+std::vector<SceneKey> flow_keys() {
+    return {
+        {"medium", "radius", KeyType::kNumber, "r_s", "5", kPositive, "",
+         "Radius at which the density of a flow has fallen to exp(-1/2). Needs kind = \"flow\".",
+         [](auto& s) { return &s.medium->flow.radius; }, is_flow, kFlow},
+        {"medium", "flattening", KeyType::kNumber, "", "0", closed(0.0, 1000.0), "",
+         "The density of a flow falls off from the equatorial plane as exp(-(flattening cos theta)^2/2); 0 is a "
+         "sphere. Needs kind = \"flow\".",
+         [](auto& s) { return &s.medium->flow.flattening; }, is_flow, kFlow},
+        {"medium", "angular_momentum", KeyType::kNumber, "", "1", closed(-1.0, 1.0), "",
+         "l0 of the angular momentum l = l0 R^1.5/(1 + R) of the matter for its energy, R = r sin(theta) in M; 0: "
+         "none. Needs kind = \"flow\".",
+         [](auto& s) { return &s.medium->flow.momentum; }, is_flow, kFlow},
+    };
+}
+
+}  // namespace
+
+const MediumModel kFlowModel{
+    .word = "flow",
+    .what = "a hot flow about the hole that shines by a power law, seen at one frequency",
+    .effect = {medium_effect(MediumKind::kFlow),
+               "medium-flow",
+               "EFFECT_MEDIUM_FLOW",
+               "Light is emitted and absorbed along its way by a hot flow about the hole.",
+               "there is a [medium] of kind \"flow\"",
+               "the ray's way once more, in samples of two exponentials",
+               {Slot::kMedium, "medium/flow.glsl"}},
+    .shares = kDensityScale | kLaws | kWarmth,
+    .traits = {},
+    .keys = flow_keys,
+    .words = [](const MediumSpec& m) { return fmt::format("of radius {} at {} GHz", m.flow.radius, m.frequency_GHz); },
+    .farthest = [](const MediumSpec& m) { return kFlowScales * m.flow.radius; },
+    .least_step = nullptr,
+    .moves = nullptr,
+    .faults = nullptr,
+    .numbers = "FLOW_SCALE FLOW_FLATTENING FLOW_MOMENTUM FLOW_DENSITY FLOW_FARTHEST",
+    .values = [](const MediumFrame& f) -> std::vector<double> {
+        const MediumSpec& m = f.medium();
+        const double scale =
+            m.law() == MediumEmission::kPowerLaw ? 1.0 : m.density_scale;  // of power laws law_numbers() has it
+        return {1.0 / m.flow.radius, m.flow.flattening, m.flow.momentum, scale, kFlowScales * m.flow.radius};
+    },
+    .before = massive_hole,
+    .with = [](Scene& s) { s.medium.emplace().kind = MediumKind::kFlow; },
+};
+
+}  // namespace nullscope

@@ -1,0 +1,108 @@
+// Matter that emits and absorbs light along rays (docs/matter.md): a model says what it is, an emission law, chosen by itself, how it
+// shines. A model is added by a kind and a struct here, its row (plan/medium_model.h), its file in shaders/medium and its class in
+// reference/matter_models.cpp; a law by a row of kEmissionLaws, its file and its formula in reference/emission.cpp. Lengths in r_s.
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/vec.h"
+
+namespace nullscope {
+
+// Motion of a pattern: none, or every ring at the angular velocity of circular geodesics (docs/time.md).
+enum class DiscFlowKind { kStill, kKepler };
+
+// Turbulent gas, of a disc or a medium: what its light or density is multiplied by, of mean 1 at every radius (docs/light.md). With
+// DiscFlowKind::kKepler it moves.
+struct GasSpec {
+    double contrast = 0.7;  // [0, 1]; 0: smooth
+    double winding = 4.0;   // rad by which filaments trail for each unit of ln r, [0, 30]
+    friend bool operator==(const GasSpec&, const GasSpec&) = default;
+};
+
+enum class MediumKind { kGas, kFlow, kFormula, kGrid, kEnd };
+inline constexpr auto kMediumKinds = static_cast<std::size_t>(MediumKind::kEnd);
+
+// A soft disc of gas in circular orbits from inner to outer, Gaussian across the plane; temperature (r/inner)^(-3/4).
+struct GasMatter {
+    double thickness = 0.1;      // scale height over the radius
+    double optical_depth = 4.0;  // along the normal
+    GasSpec clumps{};            // of its density, with the same words as a disc's
+    DiscFlowKind flow = DiscFlowKind::kStill;
+    friend bool operator==(const GasMatter&, const GasMatter&) = default;
+};
+// A hot flow about the hole (Gold et al. 2020): density exp(-((r/radius)^2 + (flattening cos theta)^2)/2), angular momentum per energy
+// momentum R^1.5/(1 + R), R = r sin theta in M.
+struct FlowMatter {
+    double radius = 5.0, flattening = 0.0, momentum = 1.0;
+    friend bool operator==(const FlowMatter&, const FlowMatter&) = default;
+};
+// Formulas (docs/expressions.md) of x, y, z, r in r_s and of t in r_s/c. Temperature and field are those of every model without its own.
+struct MediumFormulas {
+    std::string density =
+        "exp(-r^2/18)";               // of kPowerLaw and kBlackBody: over that of emissivity, opacity; electrons a cm^3
+    std::string temperature = "1e4";  // K; of kSynchrotron: of the electrons
+    std::string field = "10";         // kSynchrotron: magnetic field, G
+    // Four-velocity along (e_r, e_theta, e_phi) of the observer of no angular momentum at the place: gamma v, c.
+    std::string outward = "0", south = "0", east = "0";
+    friend bool operator==(const MediumFormulas&, const MediumFormulas&) = default;
+};
+struct GridMatter {  // scene/medium_grid.h
+    std::filesystem::path file{};
+    friend bool operator==(const GridMatter&, const GridMatter&) = default;
+};
+
+enum class MediumEmission { kPowerLaw, kBlackBody, kSynchrotron };  // by kEmissionLaws
+struct EmissionLaw {
+    std::string_view word;    // of the key; its file is shaders/medium/WORD.glsl, with _ in place of -
+    std::string_view what;    // for the key's help
+    bool by_frequency;        // seen at one frequency, in brightness temperatures
+    bool temperature, field;  // asks for these
+};
+inline constexpr EmissionLaw kEmissionLaws[] = {
+    {"power-law", "as a flow", true, false, false},
+    {"black-body", "by its temperature in all colours, with one opacity", false, true, false},
+    {"synchrotron", "thermal electrons in a magnetic field", true, true, true},
+};
+
+// Of the magnetic field in the frame of the matter; kIsotropic: the mean over all directions; kFile: the file's, of kGrid alone.
+enum class FieldDirection { kIsotropic, kOutward, kSouth, kEast, kFile };
+
+struct MediumSpec {
+    MediumKind kind = MediumKind::kGas;
+    GasMatter gas{};
+    FlowMatter flow{};
+    MediumFormulas formulas{};
+    GridMatter grid{};
+    // What several models have (MediumModel::shares): radii between which matter is, the width of both rims in ln r; |z| < height; samples
+    // across the sphere of radius `outer`; a factor on densities, and the root of it on a file's field.
+    double inner = 3.0, outer = 12.0, edge = 0.25, height = 1e6;
+    int steps = 64;
+    double density_scale = 1.0;
+
+    MediumEmission emission = MediumEmission::kPowerLaw;  // where the model has a choice: law()
+    // kPowerLaw: emissivity and absorptivity at 230 GHz in the matter's frame, where the density is 1; nu^-spectral_index and
+    // nu^-(2.5 + spectral_index) times that.
+    double spectral_index = 0.0;
+    double emissivity = 3e-18;      // erg/(s cm^3 Hz sr)
+    double absorption = 0.0;        // absorptivity over emissivity
+    double frequency_GHz = 230.0;   // at which the camera looks
+    double temperature_K = 8000.0;  // of gas at its inner radius; else of the black body of light 1
+    double opacity = 1.0;           // kBlackBody: optical depth for each r_s where the density is 1
+    FieldDirection field_direction = FieldDirection::kIsotropic;  // kSynchrotron
+
+    // Linear light; 1 is a brightness temperature of kMediumLight_K where by_frequency(), else a black body of temperature_K.
+    Vec3 colour{1, 1, 1};
+    double brightness = 1.0;
+    double step = 1.0;  // of the march, over the usual one (docs/matter.md says how exact that is)
+
+    MediumEmission law() const { return kind == MediumKind::kGas ? MediumEmission::kBlackBody : emission; }
+    const EmissionLaw& law_row() const { return kEmissionLaws[static_cast<std::size_t>(law())]; }
+    bool by_frequency() const { return law_row().by_frequency; }
+    friend bool operator==(const MediumSpec&, const MediumSpec&) = default;
+};
+inline constexpr double kMediumLight_K = 1e9;
+
+}  // namespace nullscope
