@@ -32,12 +32,12 @@ struct LightcurveOptions {
     GivenWords given;
 };
 
-struct Sample {
+struct CurvePoint {
     double time;
     std::array<double, 4> flux;  // luminance, red, green, blue, over the solid angle: 1 is a steradian of white
 };
 
-bool dimmer(const Sample& a, const Sample& b) { return a.flux[0] < b.flux[0]; }
+bool dimmer(const CurvePoint& a, const CurvePoint& b) { return a.flux[0] < b.flux[0]; }
 
 // Sum over the region of light times the solid angle of each pixel.
 std::array<double, 4> flux_of(const Image<float>& picture, const CameraSpec& camera, const std::vector<int>& region) {
@@ -64,24 +64,24 @@ double period_of(const Scene& scene) {
 constexpr const char* kCurveColumns =
     "light against time. time: r_s/c; flux: luminance times solid angle (sr), white is 1";
 
-std::string csv_of(const std::vector<Sample>& curve) {
+std::string csv_of(const std::vector<CurvePoint>& curve) {
     std::string text = "time,flux,red,green,blue\n";
-    for (const Sample& s : curve)
+    for (const CurvePoint& s : curve)
         text +=
             fmt::format("{:.17g},{:.9g},{:.9g},{:.9g},{:.9g}\n", s.time, s.flux[0], s.flux[1], s.flux[2], s.flux[3]);
     return text;
 }
 
-std::string svg_of(const Scene& scene, const std::vector<Sample>& curve) {
+std::string svg_of(const Scene& scene, const std::vector<CurvePoint>& curve) {
     std::vector<std::array<double, 2>> points;
     points.reserve(curve.size());
-    for (const Sample& s : curve) points.push_back({s.time, s.flux[0]});
+    for (const CurvePoint& s : curve) points.push_back({s.time, s.flux[0]});
     return curve_plot(scene.name, "time, r_s/c", points);
 }
 
 // The scene at options.steps times, the last included.
 struct Curve {
-    std::vector<Sample> samples;
+    std::vector<CurvePoint> samples;
     std::string drawn_by;
 };
 Result<Curve> curve_of(const LightcurveOptions& options, Scene scene, double from, double to,

@@ -155,7 +155,7 @@ void status_line(const FrameFacts& facts) {
 
 // In as many columns as the window has room for; what does not fit is scrolled to.
 void keys_window(float top) {
-    constexpr float kOpacity = 0.95f;               // readable over the side panel in a small window
+    constexpr float kBacking = 0.95f;               // readable over the side panel in a small window
     constexpr float kColumn = 8.5f, kBoth = 24.0f;  // of the font's size: of the keys, of a whole column
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = kPanelMargin * em(), line = ImGui::GetTextLineHeightWithSpacing(),
@@ -168,7 +168,7 @@ void keys_window(float top) {
     const bool scrolls = static_cast<float>(fit) * line + em() > room;
     ImGui::SetNextWindowPos({screen.x - margin, top + margin}, ImGuiCond_Always, {1.0f, 0.0f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {screen.x, room});
-    ImGui::SetNextWindowBgAlpha(kOpacity);
+    ImGui::SetNextWindowBgAlpha(kBacking);
     constexpr ImGuiWindowFlags kFlags = (kFixed & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize;
     if (ImGui::Begin("##keys", nullptr, scrolls ? kFlags : kFlags | ImGuiWindowFlags_NoInputs)) {
         const ImVec2 corner = ImGui::GetCursorPos();

@@ -13,7 +13,8 @@ namespace {
 
 using namespace nullscope;
 
-constexpr int kWidth = 1280, kHeight = 96;  // rows as wide as the viewer's window; their number does not matter
+constexpr int kBandedWidth = 1280,
+              kBandedHeight = 96;  // rows as wide as the viewer's window; their number does not matter
 
 constexpr double kMost = 1.1;  // issue: "a viewer's frame at most 1.1 times the bench's"
 // The smallest bands, of pictures that take 3 s and more: not that of a row, which takes as long as four.
@@ -24,17 +25,17 @@ test::PairedCost cost_of_bands(int pairs, bool refined, int rows) {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
     Scene scene = *load_scene("torus");
-    scene.camera.width = kWidth, scene.camera.height = kHeight;
+    scene.camera.width = kBandedWidth, scene.camera.height = kBandedHeight;
     Renderer& renderer = *session->renderer;
     renderer.refine(refined);
     REQUIRE(renderer.prepare(scene));
-    const gl::Target target = gl::make_target(kWidth, kHeight, gl::Format::kRgba8);
-    const auto whole = [&] { renderer.draw(target.framebuffer.id(), kWidth, kHeight, Output::kDisplay); };
+    const gl::Target target = gl::make_target(kBandedWidth, kBandedHeight, gl::Format::kRgba8);
+    const auto whole = [&] { renderer.draw(target.framebuffer.id(), kBandedWidth, kBandedHeight, Output::kDisplay); };
     whole();
     const auto in_bands = [&] {
-        for (int first = 0; first < kHeight; first += rows) {
-            renderer.draw_rows(target.framebuffer.id(), kWidth, kHeight, Output::kDisplay, first,
-                               std::min(first + rows, kHeight));
+        for (int first = 0; first < kBandedHeight; first += rows) {
+            renderer.draw_rows(target.framebuffer.id(), kBandedWidth, kBandedHeight, Output::kDisplay, first,
+                               std::min(first + rows, kBandedHeight));
             gl::finish();
         }
     };

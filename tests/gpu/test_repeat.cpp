@@ -56,7 +56,7 @@ const std::string kScenes[] = {"first-light", "sky-only", "flat", "fast-flyby", 
 
 void check_same(const Drawn& a, const Drawn& b) {
     CHECK(same_bits(a.linear, b.linear));
-    CHECK(a.bytes.data == b.bytes.data);
+    CHECK(a.display.data == b.display.data);
     CHECK(largest_difference(a.rays, b.rays) == 0);
 }
 

@@ -102,7 +102,8 @@ TEST_CASE("texts that are cut off or announced too long are refused") {
 }
 
 TEST_CASE("pieces end between characters and are put together, others' are left alone") {
-    const Texts texts = {{"nullscope.a", std::string(239, 'x') + "äöü" + std::string(300, 'y')},
+    const std::string begin(239, 'x'), end(300, 'y');
+    const Texts texts = {{"nullscope.a", begin + "äöü" + end},
                          {"other.a", std::string(300, 'z')}};
     const Texts pieces = in_pieces(texts, 240);
     CHECK(pieces.size() == 5);
