@@ -23,6 +23,7 @@
 #define SOFT_DEEPEST 0.4   // optical depth of a step
 #define SOFT_AHEAD 1.5     // steps: how far on denser gas is near
 #define SOFT_ACROSS 0.2    // of ln(rho), a step: temperature falls
+#define SOFT_TRAIL 0.128   // turns by which filaments trail along a step: a cell of the coarsest octave
 #define SOFT_RIM 0.2       // of a rim, across it
 
 // Omega of circular orbits at 1/zeta, as object/disc_orbit.glsl.
@@ -94,7 +95,7 @@ float gas_step(MediumPlace place, float rho, float inside, float y, float dense)
     float step = SOFT_STEP * thin * height / max(abs(way.z), SOFT_FLATTEST);
     float out_way = (place.at.x * way.x + place.at.y * way.y) / (rho * scale);   // of ln(rho)
     float width = 1.0 / GAS_RIM;
-    float across = min(SOFT_RIM * width + max(inside - width, 0.0), SOFT_ACROSS);
+    float across = min(SOFT_RIM * width + max(inside - width, 0.0), min(SOFT_ACROSS, SOFT_TRAIL / max(abs(GAS_WINDING), 1.0e-3)));
     step = min(step, across / max(abs(out_way), 1.0e-6));
     step = min(step, SOFT_DEEPEST / max(dense * gas_rim(inside) * exp(-0.5 * y * y), 1.0e-6));
     // The densest gas that is near on the way.

@@ -82,7 +82,7 @@ std::vector<SceneKey> common_keys() {
          "Multiplies its light; of gas and of black bodies 1 is a black body of `temperature`.",
          [](auto& s) { return &s.medium->brightness; }},
         {"medium", "step", KeyType::kNumber, "", "1", closed(0.05, 4.0), "",
-         "Length of the march's steps over the usual one: less is more exact, and slower.",
+         "Length of the march's steps over the usual one: less is more exact, and slower; 0.25 to measure clumpy gas.",
          [](auto& s) { return &s.medium->step; }},
     };
 }
