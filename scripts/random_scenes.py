@@ -24,6 +24,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 SLOW_S = 60           # processor seconds of the shader: the clock would blame a scene for what else the machine does
 PATIENCE = 4          # times that for the reference
+PROGRESS_S = 60       # between lines that say how far it is
 CLUMPS_STEP = 0.1     # medium.step at which clumps of gas are resolved (docs/matter.md)
 DEADLOCK = 60         # times the processor seconds, on the clock: it waits for what never comes
 PICTURE = "32x18"
@@ -288,9 +289,13 @@ def main():
     judge, dice = Judge(options), random.Random(options.seed)
     generator, end, found = Generator(dice), time.time() + 60 * options.minutes, 0
     print(f"NULLSCOPE_SEED={options.seed}", flush=True)
+    told = time.time()
     for number in itertools.count():
         if number >= options.count or time.time() > end:
             break
+        if time.time() > told + PROGRESS_S:
+            told = time.time()
+            print(f"{number} scenes, {found} with something wrong so far", file=sys.stderr, flush=True)
         scene, wrong = settled(generator, judge, generator.scene())
         lines = [wrong] if wrong else judge.wrong(scene)
         if not lines:
