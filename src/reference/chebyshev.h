@@ -5,31 +5,34 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 namespace nullscope::reference {
 
 // The n places in [-1, 1], in falling order, at which chebyshev_terms wants the function.
-template <std::size_t n>
-const std::array<double, n>& chebyshev_places() {
-    static const std::array<double, n> places = [] {
-        std::array<double, n> x{};
-        for (std::size_t i = 0; i < n; ++i) x[i] = std::cos(M_PI * (static_cast<double>(i) + 0.5) / n);
+template <std::size_t n, class Real = double>
+const std::array<Real, n>& chebyshev_places() {
+    static const std::array<Real, n> places = [] {
+        std::array<Real, n> x{};
+        for (std::size_t i = 0; i < n; ++i)
+            x[i] = std::cos(std::numbers::pi_v<Real> * (static_cast<Real>(i) + Real(0.5)) / n);
         return x;
     }();
     return places;
 }
 
-template <std::size_t n>
-std::array<double, n> chebyshev_terms(const std::array<double, n>& values) {
-    static const std::array<std::array<double, n>, n> shares = [] {
-        std::array<std::array<double, n>, n> s{};
+template <class Real, std::size_t n>
+std::array<Real, n> chebyshev_terms(const std::array<Real, n>& values) {
+    static const std::array<std::array<Real, n>, n> shares = [] {
+        std::array<std::array<Real, n>, n> s{};
         for (std::size_t k = 0; k < n; ++k)
             for (std::size_t i = 0; i < n; ++i)
-                s[k][i] = (k == 0 ? 1.0 : 2.0) / n * std::cos(M_PI * static_cast<double>(k * (2 * i + 1)) / (2.0 * n));
+                s[k][i] = Real(k == 0 ? 1 : 2) / n *
+                          std::cos(std::numbers::pi_v<Real> * static_cast<Real>(k * (2 * i + 1)) / (2 * Real(n)));
         return s;
     }();
-    std::array<double, n> terms{};
+    std::array<Real, n> terms{};
     for (std::size_t k = 0; k < n; ++k)
         for (std::size_t i = 0; i < n; ++i) terms[k] += shares[k][i] * values[i];
     return terms;

@@ -5,11 +5,14 @@
 //       root as the first two derivatives at e tell it;
 //   over the photon sphere, zeta = zeta_c + epsilon sinh(w): q^2 - V = delta2 + below(zeta - zeta_c);
 //   next to the sky zeta itself.
-// Panels of w with 20 Gauss nodes; formulas in long double, so that differences of V lose nothing that a double has.
+// Panels of w with 20 Gauss nodes; formulas in long double, so that differences of V lose nothing that a double has, and where they are
+// smooth, which is nearly everywhere, as sums of Chebyshev's polynomials, which have differences without loss: of V/zeta^2, and of
+// (q_crit^2 - V)/(zeta - zeta_c)^2.
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
 #include "expr/smooth.h"
+#include "reference/octave_sums.h"
 #include "reference/potential_orbit.h"
 
 namespace nullscope::reference {
@@ -22,6 +25,9 @@ struct FormulaHole {
     Long horizon = 0, sphere = 0;  // zeta
     Long v_crit = 0, q_crit = 0;   // V at the photon sphere
     Long outermost_circle = 0;     // r up to which the energy of circles grows, or 100 horizons
+    OctaveSums shape, hill;        // V/zeta^2; (v_crit - V)/(zeta - sphere)^2
+    OctaveSums densities;          // where b or areal is given
+    Long hill_at_sphere = 0;
 
     // Errors: a formula that cannot be read, no horizon.
     static Result<FormulaHole> of(const SpacetimeSpec& spec);
@@ -32,15 +38,30 @@ struct FormulaHole {
         return std::sqrt(1 - lapse2(r));
     }  // from rest at infinity; not a number: it repels
     bool has_circle() const { return true; }
-    Long v(Long zeta) const;
+    Long v_by_formula(Long zeta) const;
+    Long v(Long zeta) const {
+        const OctaveSums::Piece* piece = shape.piece(static_cast<double>(zeta));
+        return piece ? zeta * zeta * (*piece)(zeta) : v_by_formula(zeta);
+    }
     Long p(Long q, Long zeta) const { return q * q - v(zeta); }
-    Long v_slope(Long zeta) const;  // by zeta
-    Long v_bend(Long zeta) const;   // twice
-    Long density(Long zeta) const;  // dphi = density dzeta/sqrt(q^2 - V)
+    Long v_slope(Long zeta) const;      // by zeta
+    Long v_bend(Long zeta) const;       // twice
+    double density(double zeta) const;  // dphi = density dzeta/sqrt(q^2 - V)
     // V(turn) - V(turn + by) over by: the mean of -V' between. v_turn = V(turn).
     Long mean_fall(Long turn, Long v_turn, Long by) const;
     // v_crit - V(sphere + x): twice integrated, -x^2 times the mean of (1 - u) V'', where V is too near to its maximum for a difference.
-    Long below(Long x) const;
+    Long below_by_formula(Long x) const;
+    Long below(Long x) const {
+        const OctaveSums::Piece* piece = hill.piece(static_cast<double>(sphere + x));
+        return piece ? x * x * (*piece)(sphere + x) : below_by_formula(x);
+    }
+    double below(double x) const {
+        const double zeta = static_cast<double>(sphere) + x;
+        const OctaveSums::Piece* piece = hill.piece(zeta);
+        return piece ? x * x * (*piece)(zeta) : static_cast<double>(below_by_formula(x));
+    }
+    Long density_by_formula(Long zeta) const;
+    void make_sums();
 };
 
 constexpr Long kLeastZeta = 1e-200L;  // stands for the sky: powers of r up to 24 are still numbers there
@@ -49,7 +70,8 @@ template <int n>
 using Jet = expr::Series<Long, n>;
 using Rule = boost::math::quadrature::gauss<Long, 10>;
 
-constexpr Long kNear = 1e-6L;  // of V, below which differences of V have lost six digits of a long double's nineteen
+constexpr Long kNear = 1e-2L;    // of V, below which differences of V have lost two digits of a long double's nineteen
+constexpr int kSumOctaves = 30;  // from the horizon outward, in sums
 
 template <int n>
 Jet<n> v_jet(const FormulaHole& hole, Long zeta) {
@@ -117,37 +139,51 @@ Result<FormulaHole> FormulaHole::of(const SpacetimeSpec& spec) {
     hole.v_crit = hole.v(hole.sphere);
     hole.q_crit = std::sqrt(hole.v_crit);
     hole.outermost_circle = outermost_circle_of(hole);
+    hole.make_sums();
     return hole;
 }
 
-Long FormulaHole::v(Long zeta) const {
+void FormulaHole::make_sums() {
+    hill_at_sphere = -v_bend(sphere) / 2;
+    shape = {[this](Long zeta) { return v_by_formula(zeta) / (zeta * zeta); }, horizon, kSumOctaves};
+    hill = {[this](Long zeta) { return below_by_formula(zeta - sphere) / ((zeta - sphere) * (zeta - sphere)); },
+            horizon, kSumOctaves};
+    if (b || areal) densities = {[this](Long zeta) { return density_by_formula(zeta); }, horizon, kSumOctaves};
+}
+
+Long FormulaHole::v_by_formula(Long zeta) const {
     const Long r = 1 / std::max(zeta, kLeastZeta), across = radius(r);
     return lapse2(r) / (across * across);
 }
 Long FormulaHole::v_slope(Long zeta) const { return v_jet<2>(*this, zeta).of_power(1); }
 Long FormulaHole::v_bend(Long zeta) const { return 2 * v_jet<3>(*this, zeta).of_power(2); }
 
-Long FormulaHole::density(Long zeta) const {
+double FormulaHole::density(double zeta) const {
     if (!b && !areal) return 1;
+    const OctaveSums::Piece* piece = densities.piece(zeta);
+    return piece ? (*piece)(zeta) : static_cast<double>(density_by_formula(zeta));
+}
+
+Long FormulaHole::density_by_formula(Long zeta) const {
     const Long r = 1 / std::max(zeta, kLeastZeta), part = r / radius(r);
     return std::sqrt(b ? lapse2(r) * b->value<Long>(r) : Long(1)) * part * part;
 }
 
 Long FormulaHole::mean_fall(Long turn, Long v_turn, Long by) const {
-    const Long fall = v_turn - v(turn + by);
+    const Long fall = v_turn - v_by_formula(turn + by);
     if (std::abs(fall) > kNear * v_turn) return fall / by;
     return -Rule::integrate([&](Long u) { return v_slope(turn + u * by); }, Long(0), Long(1));
 }
 
-Long FormulaHole::below(Long x) const {
-    const Long whole = v_crit - v(sphere + x);
+Long FormulaHole::below_by_formula(Long x) const {
+    const Long whole = v_crit - v_by_formula(sphere + x);
     if (whole > kNear * v_crit) return whole;
     return -x * x * Rule::integrate([&](Long u) { return (1 - u) * v_bend(sphere + u * x); }, Long(0), Long(1));
 }
 
 class FormulaLeg : public LegEnds {
 public:
-    double sky_rate(double z) const { return static_cast<double>(hole_.density(z) / std::sqrt(q_ * q_ - hole_.v(z))); }
+    double sky_rate(double z) const { return hole_.density(z) / static_cast<double>(std::sqrt(q_ * q_ - hole_.v(z))); }
 
 protected:
     FormulaLeg(const FormulaHole& hole, const PotentialStart& start, bool sky, Long nearest_root)
@@ -156,42 +192,83 @@ protected:
     Long q_;
 };
 
+// (q^2 - V)/t, t the distance from a turning point e, V(e) = q^2; side -1: t outward, else inward.
+// With f = V/zeta^2 where e is far out, else (q_crit^2 - V)/(zeta - zeta_c)^2, x = zeta or zeta - zeta_c, and x_e that of e,
+//     x^2 f - x_e^2 f(e) = (x - x_e) [(x + x_e) f(e) + x^2 f[zeta, e]],
+// where the first term is at least of the size of the sum.
+class RiseFromTurn {
+public:
+    RiseFromTurn(const FormulaHole& hole, const Turn& turn, int side)
+        : hole_(hole),
+          turn_(turn.zeta),
+          side_(side),
+          far_(side < 0 && turn.zeta < hole.sphere / 2),
+          sums_(far_ ? hole.shape : hole.hill),
+          from_(static_cast<double>(far_ ? turn.zeta : turn.off)),
+          turned_(static_cast<double>(turn.zeta)) {
+        const OctaveSums::Piece* piece = sums_.piece(turned_);
+        if (!piece) return;
+        differences_.emplace(*piece, turn_);
+        at_turn_ = static_cast<double>((*piece)(turn_));
+    }
+    double operator()(double t) const {
+        const double zeta = turned_ + side_ * t, x = from_ + side_ * t;
+        if (differences_ && differences_->holds(zeta))
+            return (far_ ? 1 : side_) * ((x + from_) * at_turn_ + x * x * (*differences_)(zeta));
+        if (const OctaveSums::Piece* piece = differences_ ? sums_.piece(zeta) : nullptr)
+            return (far_ ? -1 : 1) * (x * x * (*piece)(zeta)-from_ * from_ * at_turn_) / t;
+        return static_cast<double>(by_formula(t));
+    }
+
+private:
+    Long by_formula(Long t) const {
+        if (!(t > 1e-18L * turn_)) return -side_ * hole_.v_slope(turn_);
+        return side_ * hole_.mean_fall(turn_, hole_.v_by_formula(turn_), side_ * t);
+    }
+    const FormulaHole& hole_;
+    Long turn_;
+    int side_;
+    bool far_;
+    const OctaveSums& sums_;
+    double from_, turned_, at_turn_ = 0;
+    std::optional<OctaveDifferences> differences_;
+};
+
 // From a turning point: e + side t, t = gamma sinh^2(w)
 class TurningLeg : public FormulaLeg {
 public:
     TurningLeg(const FormulaHole& hole, const PotentialStart& start)
-        : FormulaLeg(hole, start, start.beyond < 0, 0), side_(to_sky ? -1 : 1) {
-        const Turn at = turning_point(hole, start);
-        turn_ = at.zeta;
-        v_turn_ = hole.v(turn_);
-        const Long slope = -side_ * hole.v_slope(turn_), second = -hole.v_bend(turn_) / 2;
-        gamma_ = second > 0 ? std::min(slope / second, turn_) : turn_;
-        turn = static_cast<double>(turn_);
-        nearest = to_sky ? turn_ : 0;
-        camera = w_of(camera_distance(start, at, side_, [this](Long t) { return over(t); }));
-        end = w_of(to_sky ? turn_ : hole.horizon - turn_);
+        : TurningLeg(hole, start, turning_point(hole, start)) {}
+    double zeta(double w) const {
+        const Long sine = std::sinh(Long(w));
+        return static_cast<double>(turn_ + side_ * gamma_ * sine * sine);
     }
-    double zeta(double w) const { return static_cast<double>(turn_ + side_ * t_of(w)); }
     double rate(double w) const {
-        const Long t = t_of(w);
-        return static_cast<double>(2 * std::sqrt(gamma_ / over(t)) * std::cosh(Long(w)) *
-                                   hole_.density(turn_ + side_ * t));
+        const double sine = std::sinh(w), sinh2 = sine * sine, t = gamma_ * sinh2;
+        return 2 * std::sqrt(gamma_ / over_(t) * (1 + sinh2)) * hole_.density(turn + side_ * t);
     }
     double near_sky(double w) const {
-        const Long a = end, b = w;
-        return static_cast<double>(gamma_ * 2 * std::cosh((a + b) / 2) * std::sinh((a - b) / 2) *
+        const Long a = end, b = w, gamma = gamma_;
+        return static_cast<double>(gamma * 2 * std::cosh((a + b) / 2) * std::sinh((a - b) / 2) *
                                    (std::sinh(a) + std::sinh(b)));
     }
 
 private:
-    Long t_of(double w) const { return gamma_ * std::sinh(Long(w)) * std::sinh(Long(w)); }
-    double w_of(Long t) const { return static_cast<double>(std::asinh(std::sqrt(std::max(t, Long(0)) / gamma_))); }
-    Long over(Long t) const {  // (q^2 - V)/t
-        if (!(t > 1e-18L * turn_)) return -side_ * hole_.v_slope(turn_);
-        return side_ * hole_.mean_fall(turn_, v_turn_, side_ * t);
+    TurningLeg(const FormulaHole& hole, const PotentialStart& start, const Turn& at)
+        : FormulaLeg(hole, start, start.beyond < 0, 0), side_(to_sky ? -1 : 1), turn_(at.zeta), over_(hole, at, side_) {
+        turn = static_cast<double>(turn_);
+        const double slope = over_(0), step = kGammaStep * turn, second = (over_(step) - slope) / step;
+        gamma_ = second > 0 ? std::min(slope / second, turn) : turn;
+        nearest = to_sky ? turn_ : 0;
+        camera = w_of(camera_distance(start, at, side_, [this](Long t) { return over_(static_cast<double>(t)); }));
+        end = w_of(to_sky ? turn_ : hole.horizon - turn_);
     }
+    double w_of(Long t) const { return static_cast<double>(std::asinh(std::sqrt(std::max(t, Long(0)) / gamma_))); }
     int side_;  // of the photon sphere that the turning point lies on: -1 further out
-    Long turn_, v_turn_, gamma_;
+    Long turn_;
+    RiseFromTurn over_;
+    double gamma_ = 0;
+    static constexpr double kGammaStep = 1e-4;  // of the turning point: for the second derivative there, to as much
 };
 
 // q > q_crit: monotone over the photon sphere.
@@ -200,15 +277,15 @@ public:
     PassingLeg(const FormulaHole& hole, const PotentialStart& start)
         : FormulaLeg(hole, start, start.s < 0, hole.sphere),
           delta2_(start.delta2),
-          epsilon_(std::sqrt(delta2_ / (-hole.v_bend(hole.sphere) / 2))) {
+          epsilon_(std::sqrt(delta2_ / hole.hill_at_sphere)) {
         camera = w_of(start.beyond);
         end = w_of(to_sky ? -hole.sphere : hole.horizon - hole.sphere);
     }
     double zeta(double w) const { return static_cast<double>(hole_.sphere + off(w)); }
     double rate(double w) const {
-        const Long x = off(w);
-        return static_cast<double>(epsilon_ * std::cosh(Long(w)) / std::sqrt(delta2_ + hole_.below(x)) *
-                                   hole_.density(hole_.sphere + x));
+        const double sine = std::sinh(w), x = static_cast<double>(epsilon_) * sine;
+        return std::sqrt((1 + sine * sine) / ((static_cast<double>(delta2_) + hole_.below(x)))) *
+               static_cast<double>(epsilon_) * hole_.density(static_cast<double>(hole_.sphere) + x);
     }
     double near_sky(double w) const {
         const Long a = end, b = w;

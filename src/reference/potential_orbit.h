@@ -150,11 +150,20 @@ public:
         fate_ = segment_.to_sky ? Fate::kEscaped : start.zeta0 >= hole.horizon ? Fate::kNoSky : Fate::kCaptured;
         if (turns_) {
             turn_ = segment_.turn;
-            turn_angle_ = integrate_panels(rate(), segment_.first, segment_.camera, segment_.panel);
-            angle_ = turn_angle_ + integrate_panels(rate(), segment_.first, segment_.end);
+            to_turn_.emplace(segment_.camera, segment_.first, segment_.panel);
+            turn_angle_ = std::abs(to_turn_->whole(rate()));
+        }
+        if (near_sky_) {
+            angle_ = integrate_panels(sky_rate(), 0, place_);
         } else {
-            angle_ = near_sky_ ? integrate_panels(sky_rate(), 0, place_)
-                               : std::abs(integrate_panels(rate(), segment_.camera, segment_.end, segment_.panel));
+            const double camera = segment_.camera, end = segment_.end, first = segment_.first;
+            if (turns_ && std::abs(camera - first) < std::abs(end - first)) {  // as it came, and on
+                onward_ = to_turn_->backward();
+                onward_->go_on(camera, end, segment_.panel);
+            } else {
+                onward_.emplace(turns_ ? first : camera, end, segment_.panel);
+            }
+            angle_ = (turns_ ? turn_angle_ : 0) + std::abs(onward_->whole(rate()));
         }
     }
     double delay() const override {
@@ -176,22 +185,20 @@ public:
 private:
     // A camera so far out that q^2 - V stays near q^2: in zeta itself angles of any smallness keep their digits.
     double place_at(double angle) const override {
-        const auto inverse = [](std::optional<PanelInverse>& made, double begin, double to,
-                                double panel) -> PanelInverse& {
-            if (!made) made.emplace(begin, to, panel);
-            return *made;
-        };
-        if (near_sky_) return inverse(from_end_, 0, place_, kPanel)(sky_rate(), angle_ - angle);
-        if (turns_ && angle < turn_angle_)
-            return segment_.zeta(inverse(to_turn_, segment_.camera, segment_.first, segment_.panel)(rate(), -angle));
+        if (near_sky_) {
+            if (!from_end_) from_end_.emplace(0, place_, kPanel);
+            return (*from_end_)(sky_rate(), angle_ - angle);
+        }
+        if (turns_ && angle < turn_angle_) return segment_.zeta((*to_turn_)(rate(), -angle));
         const double from = turns_ ? segment_.first : segment_.camera, so_far = turns_ ? turn_angle_ : 0,
                      sense = from < segment_.end ? 1 : -1;
         // From the nearer end: next to the sky zeta is small, and its digits count from there.
         if (angle_ - angle < 0.5 * (angle_ - so_far)) {
-            const double w = inverse(from_end_, segment_.end, from, segment_.panel)(rate(), sense * (angle - angle_));
+            if (!from_end_) from_end_ = onward_->backward();
+            const double w = (*from_end_)(rate(), sense * (angle - angle_));
             return segment_.to_sky ? segment_.near_sky(w) : segment_.zeta(w);
         }
-        return segment_.zeta(inverse(onward_, from, segment_.end, segment_.panel)(rate(), sense * (angle - so_far)));
+        return segment_.zeta((*onward_)(rate(), sense * (angle - so_far)));
     }
     auto rate() const {
         return [this](double w) { return segment_.rate(w); };
@@ -202,7 +209,7 @@ private:
     double q_;
     Segment segment_;
     bool turns_, near_sky_;
-    mutable std::optional<PanelInverse> to_turn_, from_end_, onward_;  // once places there are asked for
+    mutable std::optional<PanelInverse> to_turn_, from_end_, onward_;  // from_end_: once places there are asked for
 };
 
 }  // namespace nullscope::reference
