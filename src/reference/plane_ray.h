@@ -24,7 +24,7 @@ struct PlanePhoton {
     Shift shift;
     double g;
     bool clock_falls;  // the camera's clock is v - r: light_time.h
-    double alpha = 0;  // of the view direction, from outward
+    double inward = 0;  // angle of the view direction from inward
 };
 
 class PlaneRay final : public TracedRay {

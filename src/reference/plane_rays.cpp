@@ -89,7 +89,7 @@ std::vector<PlaneCrossing> PlaneRay::crossings(int most, double inner, double ou
 double PlaneRay::crossing_delay(double angle, std::optional<LightClock>& clock) const {
     if (!task_.delays_disc) return 0;
     if (times_ != nullptr)
-        if (const auto known = (*times_)(photon_.alpha, angle)) return *known;
+        if (const auto known = (*times_)(photon_.inward, angle)) return *known;
     if (!clock) clock.emplace(this->clock());
     return clock->delay(angle);
 }
@@ -232,8 +232,8 @@ PlaneRays::PlaneRays(const OrbitMetric& metric, const Scene& scene, const Spacet
     if (!task.many || !task.delays_disc || metric_.by_proper_length() ||
         !(camera_.r > metric_.horizon_radius().value_or(0.0)))
         return;
-    const auto ray_at = [this](double alpha) {
-        const LocalRay local{camera_.r, std::cos(alpha), std::sin(alpha)};
+    const auto ray_at = [this](double inward) {
+        const LocalRay local{camera_.r, -std::cos(inward), std::sin(inward)};
         RainOrbit start = start_of(local);
         return LightTimes::Ray{std::move(start.orbit), 1 / (camera_.r * start.g * local.n_t)};
     };
@@ -265,7 +265,7 @@ RayPtr PlaneRays::trace(const Photon& p) const {
     const double l_phi = scale * static_cast<double>(p[3]), l = scale * static_cast<double>(across);
     return std::make_unique<PlaneRay>(metric_, std::move(start.orbit), RayPlane(camera_.theta, camera_.phi, direction),
                                       PlanePhoton{camera_.r, 1 / std::abs(l), l, l_phi * std::sin(camera_.theta), shift,
-                                                  shift.seen(light_), falls(camera_), std::atan2(local.n_t, local.n_r)},
+                                                  shift.seen(light_), falls(camera_), std::atan2(local.n_t, -local.n_r)},
                                       task_, times_.get());
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "reference/light_time.h"
 #include "reference/light_times.h"
@@ -116,26 +117,33 @@ TEST_CASE(
                                                {"minkowski", {}, 20.0}}) {
         auto made = reference::make_metric({name, parameters});
         const auto metric = std::move(*made);
-        const auto ray_at = [&, r = r0](double alpha) {
-            const reference::LocalRay local{r, std::cos(alpha), std::sin(alpha)};
+        const auto ray_at = [&, r = r0](double inward) {
+            const reference::LocalRay local{r, -std::cos(inward), std::sin(inward)};
             return reference::LightTimes::Ray{metric->orbits()->from_static(local),
                                               metric->orbits()->lapse(r) / (r * local.n_t)};
         };
         const reference::LightTimes times(*metric->orbits(), ray_at, r0, false);
-        double worst = 0;
+        double worst = 0, last = 0;
         int asked = 0, told = 0;
-        for (double alpha = 0.05; alpha < M_PI; alpha += 0.0113) {
-            const auto ray = ray_at(alpha);
+        std::vector<double> views;
+        for (double inward = M_PI - 0.05; inward > 0; inward -= 0.0113) views.push_back(inward);
+        for (double low = 0, high = M_PI; high - low > 1e-15 * high && high > 1e-3; last = high) {
+            const double middle = 0.5 * (low + high);
+            (ray_at(middle).orbit->fate() == Fate::kEscaped ? high : low) = middle;
+        }
+        for (double off = 0.3; off > 2e-7; off *= 0.8) views.push_back(last * (1 + off));  // up to the fourth image of a star
+        for (const double inward : views) {
+            const auto ray = ray_at(inward);
             reference::LightClock clock(*metric->orbits(), *ray.orbit, ray.q, r0, false);
             if (ray.orbit->fate() != Fate::kEscaped) {
-                CHECK(!times(alpha, 0.5 * ray.orbit->angle()));
+                CHECK(!times(inward, 0.5 * ray.orbit->angle()));
                 continue;
             }
             for (const double part : {0.2, 0.5, 0.8}) {
                 const double angle = part * ray.orbit->angle(), exact = clock.delay(angle);
                 if (!(ray.orbit->zeta_at(angle) > 2 / r0)) continue;
                 ++asked;
-                const auto time = times(alpha, angle);
+                const auto time = times(inward, angle);
                 if (!time) continue;
                 ++told;
                 worst = std::max(worst, std::fabs(*time - exact) / exact);
