@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <span>
 
 #include "base/file_cache.h"
 #include "base/text.h"
@@ -95,6 +96,17 @@ float logarithm(float value) {
     return static_cast<float>(std::log2(std::max(static_cast<double>(value), MediumGrid::kLeastDensity)));
 }
 
+// The numbers of a node; returns which of them is out of its range, or their count.
+std::size_t read_node(const char* from, std::span<float> value) {
+    for (std::size_t n = 0; n < value.size(); ++n) {
+        value[n] = number_at(from + n * sizeof(float));
+        // As floats: the limits are some of these.
+        if (!(value[n] >= static_cast<float>(kRanges[n].least) && value[n] <= static_cast<float>(kRanges[n].most)))
+            return n;
+    }
+    return value.size();
+}
+
 }  // namespace
 
 Result<MediumGrid> MediumGrid::parse(std::string_view bytes, const std::string& name) {
@@ -144,15 +156,9 @@ Result<MediumGrid> MediumGrid::parse(std::string_view bytes, const std::string& 
         for (std::size_t j = 0; j < t; ++j)
             for (std::size_t k = 0; k < p; ++k, from += kBytes) {
                 std::array<float, kNumbers> value{};
-                for (std::size_t n = 0; n < kNumbers; ++n) {
-                    value[n] = number_at(from + n * sizeof(float));
-                    // As floats: the limits are some of these.
-                    if (!(value[n] >= static_cast<float>(kRanges[n].least) &&
-                          value[n] <= static_cast<float>(kRanges[n].most)))
-                        return head.wrong(
-                            fmt::format("{} of node ({}, {}, {}) is {}", kRanges[n].name, i, j, k, value[n]),
-                            fmt::format("[{}, {}]", kRanges[n].least, kRanges[n].most));
-                }
+                if (const std::size_t n = read_node(from, value); n < kNumbers)
+                    return head.wrong(fmt::format("{} of node ({}, {}, {}) is {}", kRanges[n].name, i, j, k, value[n]),
+                                      fmt::format("[{}, {}]", kRanges[n].least, kRanges[n].most));
                 const std::array<float, kNumbers> kept = {logarithm(value[0]), value[5] * fall, value[6], value[7],
                                                           logarithm(value[1]), value[2],        value[3], value[4]};
                 std::ranges::copy(

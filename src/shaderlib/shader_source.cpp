@@ -136,6 +136,49 @@ const EmbeddedShader* find_file(std::string_view path) {
     return found != files.end() ? &*found : nullptr;
 }
 
+bool is_interpolated(Stage stage) { return stage == Stage::kInterpolated || stage == Stage::kInterpolatedRays; }
+
+// What a stage of these effects is compiled with.
+std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Output output, const Method& method) {
+    std::vector<std::string> defines;
+    if (stage != Stage::kBareFetch) defines = defines_of(effects);
+    const bool sky_alone = is_interpolated(stage) || stage == Stage::kSkyTiles,
+               no_bodies =
+                   sky_alone || stage == Stage::kFullDisc || stage == Stage::kDiscTiles || stage == Stage::kRays;
+    const bool objects =
+        (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc)) || has_medium(effects);
+    const bool list = stage == Stage::kRayList, data = list || stage == Stage::kRayData || stage == Stage::kRayDepth;
+    if (data || objects || effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PHI_END");
+    if (data && light_path_kind(effects) == LightPathKind::kMino) defines.emplace_back("NEEDS_FINE_AZIMUTH");
+    if (effects.contains(Effect::kDelay) || (data && effects.contains(Effect::kLightTimes)))
+        defines.emplace_back("NEEDS_LIGHT_TIMES");
+    if (data && effects.contains(Effect::kLightTimes)) {
+        if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE_TIME");
+        if (effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
+    }
+    if (list) defines.emplace_back("RAYS_OF_A_LIST");
+    if (stage == Stage::kRayDepth && has_medium(effects)) defines.emplace_back("MEDIUM_MEAN");
+    if (list && effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
+    if (no_bodies) std::erase(defines, "NEEDS_PLACE");
+    if (sky_alone) std::erase(defines, "EFFECT_DISC");
+    if (stage == Stage::kSkyTiles) defines.emplace_back("TILES_OF_SKY");
+    if (stage == Stage::kDiscTiles) defines.emplace_back("TILES_OF_THE_REST");
+    if (stage == Stage::kFullDisc) defines.emplace_back("TILES_OF_FULL_DISC");
+    if (stage == Stage::kRays) defines.emplace_back("EVERY_CROSSING");
+    if (finds_tiles(stage) && has_tiles(effects)) defines.emplace_back("TILES_OF_BODIES");
+    if (stage == Stage::kTilesTraced || stage == Stage::kTilesInterpolated) {
+        if (tiles_tell_disc(effects)) defines.emplace_back("TILES_OF_DISC");
+        if (tiles_tell_full_disc(effects)) defines.emplace_back("TILES_OF_FULL_DISC");
+    }
+    if (stage == Stage::kTilesInterpolated) defines.emplace_back("TILES_INTERPOLATED");
+    if (stage == Stage::kBodyTiles) defines.emplace_back("TILES_WITH_BODIES");
+    if (draws_picture(stage)) defines.emplace_back("NEEDS_FOOTPRINT");
+    if (draws_picture(stage) && output == Output::kDisplay) defines.emplace_back("DISPLAY_ENCODE");
+    if (draws_picture(stage) && output == Output::kLayers) defines.emplace_back("LAYERS");
+    for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
+    return defines;
+}
+
 }  // namespace
 
 std::string_view shader_head(Glsl language) {
@@ -172,43 +215,7 @@ std::vector<int> block_members(const EffectSet& effects) {
 
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method,
                            std::string_view metric, const BodyText& bodies) {
-    std::vector<std::string> defines;
-    if (stage != Stage::kBareFetch) defines = defines_of(effects);
-    const bool interpolated = stage == Stage::kInterpolated || stage == Stage::kInterpolatedRays,
-               sky_alone = interpolated || stage == Stage::kSkyTiles,
-               no_bodies =
-                   sky_alone || stage == Stage::kFullDisc || stage == Stage::kDiscTiles || stage == Stage::kRays;
-    const bool objects =
-        (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc)) || has_medium(effects);
-    const bool list = stage == Stage::kRayList, data = list || stage == Stage::kRayData || stage == Stage::kRayDepth;
-    if (data || objects || effects.contains(Effect::kDelay)) defines.emplace_back("NEEDS_PHI_END");
-    if (data && light_path_kind(effects) == LightPathKind::kMino) defines.emplace_back("NEEDS_FINE_AZIMUTH");
-    if (effects.contains(Effect::kDelay) || (data && effects.contains(Effect::kLightTimes)))
-        defines.emplace_back("NEEDS_LIGHT_TIMES");
-    if (data && effects.contains(Effect::kLightTimes)) {
-        if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE_TIME");
-        if (effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
-    }
-    if (list) defines.emplace_back("RAYS_OF_A_LIST");
-    if (stage == Stage::kRayDepth && has_medium(effects)) defines.emplace_back("MEDIUM_MEAN");
-    if (list && effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
-    if (no_bodies) std::erase(defines, "NEEDS_PLACE");
-    if (sky_alone) std::erase(defines, "EFFECT_DISC");
-    if (stage == Stage::kSkyTiles) defines.emplace_back("TILES_OF_SKY");
-    if (stage == Stage::kDiscTiles) defines.emplace_back("TILES_OF_THE_REST");
-    if (stage == Stage::kFullDisc) defines.emplace_back("TILES_OF_FULL_DISC");
-    if (stage == Stage::kRays) defines.emplace_back("EVERY_CROSSING");
-    if (finds_tiles(stage) && has_tiles(effects)) defines.emplace_back("TILES_OF_BODIES");
-    if (stage == Stage::kTilesTraced || stage == Stage::kTilesInterpolated) {
-        if (tiles_tell_disc(effects)) defines.emplace_back("TILES_OF_DISC");
-        if (tiles_tell_full_disc(effects)) defines.emplace_back("TILES_OF_FULL_DISC");
-    }
-    if (stage == Stage::kTilesInterpolated) defines.emplace_back("TILES_INTERPOLATED");
-    if (stage == Stage::kBodyTiles) defines.emplace_back("TILES_WITH_BODIES");
-    if (draws_picture(stage)) defines.emplace_back("NEEDS_FOOTPRINT");
-    if (draws_picture(stage) && output == Output::kDisplay) defines.emplace_back("DISPLAY_ENCODE");
-    if (draws_picture(stage) && output == Output::kLayers) defines.emplace_back("LAYERS");
-    for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
+    const std::vector<std::string> defines = stage_defines(stage, effects, output, method);
     std::map<std::string_view, std::string> generated = {
         {"generated/method", method_text(method, metric)},
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},
@@ -232,7 +239,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         if (const auto part = generated.find(name); part != generated.end()) return part->second;
         if (!name.starts_with(kPathPrefix)) return shader_file(name);
         return chosen[std::string(name)] =
-                   path_line(path, interpolated && name == "path/trace" ? "path/interpolated" : name);
+                   path_line(path, is_interpolated(stage) && name == "path/trace" ? "path/interpolated" : name);
     };
     const StageFiles& files = kStageFiles[static_cast<std::size_t>(stage)];
     const std::string head(shader_head(kGlsl));

@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+"""Files of at most 400 lines, functions of at most 60, main() of at most 150, as CONTRIBUTING.md states them; exceptions by name, with the reason.
+
+Usage: check_sizes.py [--self-test]
+
+C++ and GLSL: a function is what begins in the first column and ends with a brace there. Python: as its parser has it.
+"""
+import ast
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDERS = ("src", "shaders", "web/core", "python", "scripts", "tests/support")
+FILE, FUNCTION, MAIN = 400, 60, 150
+# What is longer, its lines, and why.
+ROWS = "rows of a table"
+MARCH = "one loop, in pieces by #ifdef"
+EXCEPTIONS = {
+    "src/scenefile/scene_keys.cpp": (410, ROWS),
+    "src/viewer/scene_editor.cpp": (440, "fields of the kinds of keys, and the panel of them"),
+    "scripts/convert_grmhd.py": (440, "formats of other programs in one script that needs no package of ours"),
+    "src/cli/capture_options.cpp:add_capture_options": (90, ROWS),
+    "src/plan/bodies_features.cpp:bodies_features": (70, ROWS),
+    "src/plan/disc_features.cpp:disc_features": (130, ROWS),
+    "src/plan/light_features.cpp:light_features": (190, ROWS),
+    "src/plan/picture_features.cpp:picture_features": (185, ROWS),
+    "src/shaderlib/body_text.cpp:march_text": (85, "a text from its first line to its last"),
+    "python/module/spacetime.cpp:add_spacetime": (65, "a class of Python, as rows"),
+    "shaders/mino/march.glsl:segment_search": (65, MARCH),
+    "shaders/mino/medium.glsl:medium_to": (70, MARCH),
+    "shaders/mino/step.glsl:spin_step": (90, MARCH),
+    "shaders/mino/tile.glsl:tile_bodies": (65, MARCH),
+    "shaders/mino/trace.glsl:trace_pixel": (215, MARCH),
+    "shaders/object/march.glsl:march_contact": (125, MARCH),
+    "shaders/planar/medium.glsl:medium_to": (70, MARCH),
+    "shaders/planar/place.glsl:place_of": (65, MARCH),
+    "shaders/planar/trace.glsl:trace_pixel": (80, MARCH),
+    "shaders/stage/pixel_data.glsl:ray_data": (70, "outputs, one after the other"),
+    "shaders/stage/trace.frag:ray_light": (100, MARCH),
+}
+KEYS = {name.split(":")[0] for name in EXCEPTIONS}
+BEGINS = re.compile(r"^(?!namespace|struct|class|enum|union|extern|constexpr|const |static const|inline const|#|//|\}|using|template)\w.*?(\w+)\([^;]*$")
+
+
+def braced_functions(text):
+    """(name, lines) of each."""
+    name, first = None, 0
+    for number, line in enumerate(text.split("\n"), 1):
+        if name is None:
+            found = BEGINS.match(line)
+            if found:
+                name, first = found[1], number
+        if name is not None and (line.startswith("}") or line.endswith(("; }", "{}")) and number == first):
+            yield name, number - first + 1
+            name = None
+        elif name is not None and line and not line[0].isspace() and number > first and not line.startswith(("}", ":", "//", "#", "{")) and \
+                not BEGINS.match(line) and line.endswith(";"):
+            name = None   # a declaration
+
+
+def python_functions(text):
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            yield node.name, node.end_lineno - node.lineno + 1
+
+
+def limit(name):
+    """Of NAME or NAME:FUNCTION."""
+    return FILE if ":" not in name else MAIN if name.endswith(":main") else FUNCTION
+
+
+def all_lengths(name, text):
+    """(NAME or NAME:FUNCTION, its lines) of a file and its functions."""
+    yield name, text.count("\n")
+    for function, length in (python_functions if name.endswith(".py") else braced_functions)(text):
+        yield f"{name}:{function}", length
+
+
+def too_long(name, text):
+    for what, length in all_lengths(name, text):
+        most = EXCEPTIONS.get(what, (limit(what),))[0]
+        if length > most:
+            yield f"{what}: {length} lines, more than {most}"
+
+
+def main():
+    if sys.argv[1:] == ["--self-test"]:
+        long = "int f(int a) {\n" + "    ++a;\n" * 70 + "}\n"
+        assert [line.split(" ")[0] for line in too_long("a.cpp", long + "int g() {\n}\n")] == ["a.cpp:f:"]
+        assert [line.split(" ")[0] for line in too_long("a.py", "def f():\n" + "    pass\n" * 500)] == ["a.py:", "a.py:f:"]
+        return 0
+    files = subprocess.run(["git", "-c", "safe.directory=*", "-C", ROOT, "ls-files", *FOLDERS], capture_output=True, text=True, check=True).stdout.split("\n")
+    wrong = [line for name in files if name.endswith((".cpp", ".h", ".inl", ".glsl", ".frag", ".vert", ".py"))
+             for line in too_long(name, (ROOT / name).read_text(encoding="utf-8"))]
+    lengths = dict(line for name in files if name in KEYS for line in all_lengths(name, (ROOT / name).read_text(encoding="utf-8")))
+    wrong += [f"{name}: {lengths.get(name, 'no')} lines, no exception any more" for name in EXCEPTIONS if lengths.get(name, 0) <= limit(name)]
+    print("\n".join(wrong) or f"check_sizes: {len(files)} files, {len(EXCEPTIONS)} exceptions")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
