@@ -23,7 +23,7 @@ struct PlanePhoton {
     double l_z;  // the part about the polar axis
     Shift shift;
     double g;
-    bool clock_falls;  // the camera's clock is v - r: light_time.h
+    bool clock_falls;   // the camera's clock is v - r: light_time.h
     double inward = 0;  // angle of the view direction from inward
 };
 

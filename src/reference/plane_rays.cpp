@@ -263,10 +263,11 @@ RayPtr PlaneRays::trace(const Photon& p) const {
     const Shift shift = from_rain_ ? Shift{1 / rest, static_cast<double>(doppler) * start.g * rest}
                                    : Shift{1 / lapse_, static_cast<double>(doppler)};
     const double l_phi = scale * static_cast<double>(p[3]), l = scale * static_cast<double>(across);
-    return std::make_unique<PlaneRay>(metric_, std::move(start.orbit), RayPlane(camera_.theta, camera_.phi, direction),
-                                      PlanePhoton{camera_.r, 1 / std::abs(l), l, l_phi * std::sin(camera_.theta), shift,
-                                                  shift.seen(light_), falls(camera_), std::atan2(local.n_t, -local.n_r)},
-                                      task_, times_.get());
+    return std::make_unique<PlaneRay>(
+        metric_, std::move(start.orbit), RayPlane(camera_.theta, camera_.phi, direction),
+        PlanePhoton{camera_.r, 1 / std::abs(l), l, l_phi * std::sin(camera_.theta), shift, shift.seen(light_),
+                    falls(camera_), std::atan2(local.n_t, -local.n_r)},
+        task_, times_.get());
 }
 
 std::unique_ptr<Orbit> PlaneRays::orbit_of(Vec3 view) const {

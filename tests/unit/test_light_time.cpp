@@ -131,7 +131,8 @@ TEST_CASE(
             const double middle = 0.5 * (low + high);
             (ray_at(middle).orbit->fate() == Fate::kEscaped ? high : low) = middle;
         }
-        for (double off = 0.3; off > 2e-7; off *= 0.8) views.push_back(last * (1 + off));  // up to the fourth image of a star
+        for (double off = 0.3; off > 2e-7; off *= 0.8)
+            views.push_back(last * (1 + off));  // up to the fourth image of a star
         for (const double inward : views) {
             const auto ray = ray_at(inward);
             reference::LightClock clock(*metric->orbits(), *ray.orbit, ray.q, r0, false);

@@ -103,8 +103,7 @@ TEST_CASE("texts that are cut off or announced too long are refused") {
 
 TEST_CASE("pieces end between characters and are put together, others' are left alone") {
     const std::string begin(239, 'x'), end(300, 'y');
-    const Texts texts = {{"nullscope.a", begin + "äöü" + end},
-                         {"other.a", std::string(300, 'z')}};
+    const Texts texts = {{"nullscope.a", begin + "äöü" + end}, {"other.a", std::string(300, 'z')}};
     const Texts pieces = in_pieces(texts, 240);
     CHECK(pieces.size() == 5);
     CHECK(pieces.at("nullscope.a.0") == std::string(239, 'x'));
