@@ -1,6 +1,8 @@
 // What the viewer shows, and what the hands have changed of it. Panels and keys edit `scene`; the viewer prepares it.
 #pragma once
+#include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,16 +50,14 @@ struct ViewState {
     bool show_errors = false;                          // over the picture
     bool show_grid = false;                            // of coordinates, on sky and disc
     bool show_probe = false;                           // the ray of the pixel under the cursor
-    bool show_critical = false;                        // the critical curve
     bool show_potential = false;                       // of the probe's ray
     bool show_bookmarks = false;
-    bool show_clock = false;              // of the camera, over the picture
-    bool show_orders = false;             // image orders in colours
-    bool show_embedding = false;          // the embedding diagram
-    bool light_theme = false;             // of the panels
-    NumberStyle numbers;                  // how Numbers, probe and clocks are written
-    std::shared_ptr<const SideB> side_b;  // right of the divider; nullptr: no comparison
-    int sides = 0;                        // twice the number of comparisons until now, 1 more while sides are swapped
+    bool show_orders = false;                       // image orders in colours
+    std::set<std::string, std::less<>> overlays{};  // that are on, by their names
+    bool light_theme = false;                       // of the panels
+    NumberStyle numbers;                            // how Numbers, probe and clocks are written
+    std::shared_ptr<const SideB> side_b;            // right of the divider; nullptr: no comparison
+    int sides = 0;  // twice the number of comparisons until now, 1 more while sides are swapped
     MethodWish method;
     Fall fall;                       // of the camera, once it was let go
     bool clock_runs = false;         // the scene's own

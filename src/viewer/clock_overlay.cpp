@@ -29,7 +29,11 @@ std::vector<ClockRow> clock_rows(const ViewState& view, const Spacetime& spaceti
     return rows;
 }
 
-float draw_clock_overlay(const ViewState& view, float left, float right, float top) {
+namespace {
+
+void draw_clock(OverlayPlace& place) {
+    const ViewState& view = place.view;
+    const float left = place.left, right = place.right;
     const auto spacetime = spacetime_of(view.scene);
     const auto rows = spacetime != nullptr ? clock_rows(view, *spacetime) : std::vector<ClockRow>{};
     const float padding = ImGui::GetStyle().WindowPadding.x;
@@ -39,15 +43,19 @@ float draw_clock_overlay(const ViewState& view, float left, float right, float t
         values = std::max(values, ImGui::CalcTextSize(row.value.c_str()).x);
     }
     const bool beside = names + em() + values + 2.0f * padding <= right - left;
-    if (rows.empty() || std::max(names, values) + 2.0f * padding > right - left) return left;
-    overlay("##clock", left, top, 0.0f, 0.0f, 0.9f, [&] {
+    if (rows.empty() || std::max(names, values) + 2.0f * padding > right - left) return;
+    overlay("##clock", left, place.top, 0.0f, 0.0f, 0.9f, [&] {
         for (const ClockRow& row : rows) {
             ImGui::TextDisabled("%s", row.name);
             if (beside) ImGui::SameLine(padding + names + em());
             ImGui::TextUnformatted(row.value.c_str());
         }
     });
-    return left + 2.0f * padding + (beside ? names + em() + values : std::max(names, values));
+    place.left += 2.0f * padding + (beside ? names + em() + values : std::max(names, values));
 }
+
+}  // namespace
+
+const Overlay kClockOverlay = {"Clock and redshift", "", 0, "", "", nullptr, Overlay::Where::kTopLeft, draw_clock};
 
 }  // namespace nullscope::viewer

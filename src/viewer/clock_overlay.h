@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studio/view_state.h"
+#include "viewer/overlay.h"
 
 namespace nullscope::viewer {
 
@@ -15,8 +15,7 @@ struct ClockRow {
 };
 std::vector<ClockRow> clock_rows(const ViewState& view, const Spacetime& spacetime);
 
-// Those rows in the left upper corner of the picture's part from `left` to `right`, below `top`; nothing where that
-// is too narrow. Between NewFrame and Render. Returns where its right edge is.
-float draw_clock_overlay(const ViewState& view, float left, float right, float top);
+// Those rows; nothing where there is too little room for them.
+extern const Overlay kClockOverlay;
 
 }  // namespace nullscope::viewer

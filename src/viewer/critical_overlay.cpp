@@ -1,5 +1,7 @@
 #include "viewer/critical_overlay.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <vector>
@@ -8,7 +10,7 @@
 #include "observer/critical_light.h"
 #include "observer/ring_view.h"
 #include "scene/split.h"
-#include "studio/view_state.h"
+#include "studio/comparison.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -42,9 +44,8 @@ bool has_curve(const Scene& scene) {
     return spacetime != nullptr && CriticalLight::make(*spacetime, scene.camera, scene.light);
 }
 
-}  // namespace
-
-void draw_critical_curve(const Scene& scene) {
+void draw_critical_curve(OverlayPlace& place) {
+    const Scene& scene = place.scene;
     const float wide = ImGui::GetIO().DisplaySize.x;
     const auto both = halves(scene);
     if (!both) return draw_lines(scene, 0.0f, wide);
@@ -53,9 +54,25 @@ void draw_critical_curve(const Scene& scene) {
     draw_lines(both->right, part, wide - part);
 }
 
-bool has_critical_curve(const Scene& scene) {
+bool has_critical_curve(const Scene& scene) {  // in its spacetime, or in either half's
     const auto both = halves(scene);
     return both ? has_curve(both->left) || has_curve(both->right) : has_curve(scene);
 }
+
+std::string no_critical_curve(const ViewState& view) {
+    const bool on_b = view.side_b != nullptr && has_critical_curve(drawn_side_b(view));
+    return on_b || has_critical_curve(view.scene) ? "" : "There is no critical curve here: no photon sphere";
+}
+
+}  // namespace
+
+const Overlay kCriticalOverlay = {"Critical curve",
+                                  "K",
+                                  GLFW_KEY_K,
+                                  "show the critical curve",
+                                  "Critical curve: directions whose light spirals to the photon sphere.",
+                                  no_critical_curve,
+                                  Overlay::Where::kPicture,
+                                  draw_critical_curve};
 
 }  // namespace nullscope::viewer

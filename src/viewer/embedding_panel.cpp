@@ -91,27 +91,27 @@ private:
     double scale_ = 1.0, middle_x_ = 0.0, ground_y_ = 0.0;
 };
 
-}  // namespace
-
-std::string no_embedding(const Scene& scene) {
-    const auto spacetime = spacetime_of(scene);
+std::string no_embedding(const ViewState& view) {
+    const auto spacetime = spacetime_of(view.scene);
     if (spacetime == nullptr || spacetime->spherical() != nullptr) return {};
     return "Not for a rotating hole: only spherical metrics are embedded here.";
 }
 
-float draw_embedding(const Scene& scene, const ProbeFacts* ray, float left, float right, float bottom) {
+void draw_embedding(OverlayPlace& place) {
+    const Scene& scene = place.scene;
+    const ProbeFacts* ray = place.probe.facts_in(scene.spacetime);
     const float margin = 0.6f * em(), padding = ImGui::GetStyle().WindowPadding.x;
-    const float width = std::min(kEmbeddingWidth * em(), right - left - 2.0f * (margin + padding));
+    const float width = std::min(kEmbeddingWidth * em(), place.right - place.left - 2.0f * (margin + padding));
     const auto spacetime = spacetime_of(scene);
-    if (spacetime == nullptr || spacetime->spherical() == nullptr || width < kLeastEmbeddingWidth * em()) return bottom;
+    if (spacetime == nullptr || spacetime->spherical() == nullptr || width < kLeastEmbeddingWidth * em()) return;
     const auto circles = landmark_circles(*spacetime);
     const double camera = std::fabs(scene.camera.r);
     double high = std::min(kFarthestShown, kWideEmbedding * camera);
     if (!circles.empty()) high = std::max(high, kAbout * circles.back().r);
     const auto surface = embedding(*spacetime->spherical(), high);
-    if (surface.size() < 2) return bottom;
-    float top = bottom;
-    overlay("##embedding", left + margin, bottom - margin, 0.0f, 1.0f, 0.92f, [&] {
+    if (surface.size() < 2) return;
+    float top = place.bottom;
+    overlay("##embedding", place.left + margin, place.bottom - margin, 0.0f, 1.0f, 0.92f, [&] {
         const Diagram diagram(surface, width);
         diagram.ground();
         for (const LandmarkCircle& circle : circles)
@@ -123,7 +123,20 @@ float draw_embedding(const Scene& scene, const ProbeFacts* ray, float left, floa
         ImGui::TextDisabled("Embedding diagram");
         top = ImGui::GetWindowPos().y;
     });
-    return top;
+    place.bottom = top;
 }
+
+}  // namespace
+
+const Overlay kEmbeddingOverlay = {
+    "Embedding diagram",
+    "",
+    0,
+    "",
+    "Embedding diagram: the equatorial plane as a curved surface, with the camera, the photon sphere, the ISCO and the "
+    "probe's ray.",
+    no_embedding,
+    Overlay::Where::kBottomLeft,
+    draw_embedding};
 
 }  // namespace nullscope::viewer

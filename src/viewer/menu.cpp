@@ -8,9 +8,8 @@
 #include <array>
 #include <string_view>
 
-#include "viewer/critical_overlay.h"
-#include "viewer/embedding_panel.h"
 #include "viewer/order_overlay.h"
+#include "viewer/overlay.h"
 #include "viewer/potential_plot.h"
 #include "viewer/widgets.h"
 
@@ -51,10 +50,8 @@ constexpr std::array kEntries = {
     Entry{Command::kErrors, "View", "Errors of pixels", "H", GLFW_KEY_H, false, false, &ViewState::show_errors, true},
     Entry{Command::kProbe, "View", "Ray of a pixel", "P", GLFW_KEY_P, false, false, &ViewState::show_probe},
     Entry{Command::kPotential, "View", "Effective potential", "", 0, false, false, &ViewState::show_potential},
-    Entry{Command::kCriticalCurve, "View", "Critical curve", "K", GLFW_KEY_K, false, false, &ViewState::show_critical},
     Entry{Command::kOrders, "View", "Image orders", "O", GLFW_KEY_O, false, false, &ViewState::show_orders},
-    Entry{Command::kEmbedding, "View", "Embedding diagram", "", 0, false, false, &ViewState::show_embedding},
-    Entry{Command::kClockOverlay, "View", "Clock and redshift", "", 0, false, false, &ViewState::show_clock},
+    Entry{Command::kOverlay, "View", "", "", 0, false, false, nullptr},  // all of them
     Entry{Command::kCompare, "View", "Compare with this", "X", GLFW_KEY_X, false, false, nullptr, true},
     Entry{Command::kSwapSides, "View", "Swap sides A and B", "Shift+X", GLFW_KEY_X, false, true, nullptr},
     Entry{Command::kBookmark, "View", "Bookmark this view", "Ctrl+B", GLFW_KEY_B, true, false, nullptr, true},
@@ -93,10 +90,8 @@ KeyPress usual(KeyPress press) {
 
 const char* menu_help(Command command) {
     switch (command) {
-        case Command::kCriticalCurve: return kCriticalCurveHelp;
         case Command::kPotential: return kPotentialHelp;
         case Command::kOrders: return kOrdersHelp;
-        case Command::kEmbedding: return kEmbeddingHelp;
         case Command::kNavigate: return kNavigateHelp;
         default: return "";
     }
@@ -104,26 +99,35 @@ const char* menu_help(Command command) {
 
 }  // namespace
 
-std::optional<Command> command_of(const KeyPress& press) {
+std::optional<Action> action_of(const KeyPress& press) {
     const KeyPress key = usual(press);
+    for (const Overlay* overlay : overlays())
+        if (overlay->key != 0 && overlay->key == key.key && !key.control && !key.shift)
+            return Action{Command::kOverlay, overlay};
     const auto found = std::ranges::find_if(kEntries, [&](const Entry& entry) {
-        return entry.key == key.key && entry.control == key.control && entry.shift == key.shift;
+        return entry.key != 0 && entry.key == key.key && entry.control == key.control && entry.shift == key.shift;
     });
-    return found == kEntries.end() ? std::nullopt : std::optional(found->command);
+    return found == kEntries.end() ? std::nullopt : std::optional(Action{found->command});
 }
 
-std::string why_not(Command command, const ViewState& view) {
-    switch (command) {
+std::string why_not(const Action& action, const ViewState& view) {
+    if (action.overlay != nullptr)
+        return action.overlay->why_not != nullptr ? action.overlay->why_not(view) : std::string();
+    switch (action.command) {
         case Command::kOrders:  // one side may have them
             return view.side_b != nullptr && no_orders(view.side_b->scene).empty() ? "" : no_orders(view.scene);
-        case Command::kEmbedding: return no_embedding(view.scene);
         case Command::kSwapSides: return view.side_b == nullptr ? "Only in a comparison (X)" : "";
         default: return {};
     }
 }
 
-std::optional<Command> draw_menu(const ViewState& view, bool escape) {
-    std::optional<Command> chosen;
+std::optional<Action> draw_menu(const ViewState& view, bool escape) {
+    std::optional<Action> chosen;
+    const auto item = [&](const Action& action, const char* name, const char* keys, bool shown, const char* help) {
+        const std::string reason = why_not(action, view);
+        if (ImGui::MenuItem(name, keys, shown && reason.empty(), reason.empty())) chosen = action;
+        tooltip(reason.empty() ? help : reason, TooltipPlace::kBesideWindow);
+    };
     if (!ImGui::BeginMainMenuBar()) return chosen;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     for (const std::string_view menu : kMenus) {
@@ -134,12 +138,14 @@ std::optional<Command> draw_menu(const ViewState& view, bool escape) {
         for (const Entry& entry : kEntries) {
             if (entry.menu != menu) continue;
             if (entry.begins_group) ImGui::Separator();
+            if (entry.command == Command::kOverlay) {
+                for (const Overlay* each : overlays())
+                    item({Command::kOverlay, each}, each->name, each->keys, shows(view, *each), each->help);
+                continue;
+            }
             const bool compared = entry.command == Command::kCompare && view.side_b != nullptr;
-            const std::string reason = why_not(entry.command, view);
-            const bool shown = compared || (entry.shown != nullptr && view.*entry.shown);
-            if (ImGui::MenuItem(entry.name, entry.keys, shown && reason.empty(), reason.empty()))
-                chosen = entry.command;
-            tooltip(reason.empty() ? menu_help(entry.command) : reason, TooltipPlace::kBesideWindow);
+            item({entry.command}, entry.name, entry.keys, compared || (entry.shown != nullptr && view.*entry.shown),
+                 menu_help(entry.command));
         }
         ImGui::EndMenu();
     }

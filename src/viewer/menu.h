@@ -4,6 +4,7 @@
 #include <string>
 
 #include "studio/view_state.h"
+#include "viewer/overlay.h"
 #include "viewer/window.h"
 
 namespace nullscope::viewer {
@@ -31,14 +32,11 @@ enum class Command {
     kFullScreen,
     kLargerText,
     kSmallerText,
-    kCriticalCurve,
     kPotential,
     kBookmark,
     kBookmarks,
     kLightTheme,
-    kClockOverlay,
     kOrders,
-    kEmbedding,
     kCompare,
     kSwapSides,
     kNavigate,
@@ -60,16 +58,24 @@ enum class Command {
     kTours,
     kTourNext,
     kTourBack,
+    kOverlay,  // viewer/overlay.h
+};
+
+// A command, or an overlay's switch.
+struct Action {
+    Command command;
+    const Overlay* overlay = nullptr;
+    friend bool operator==(const Action& action, Command command) { return action.command == command; }
 };
 
 // Of a key that went down, with or without Ctrl.
-std::optional<Command> command_of(const KeyPress& press);
+std::optional<Action> action_of(const KeyPress& press);
 
 // Why it cannot be done here, or nothing.
-std::string why_not(Command command, const ViewState& view);
+std::string why_not(const Action& action, const ViewState& view);
 
 // At the window's top, between NewFrame and Render; what was chosen. escape: the key was pressed, and shuts an open menu.
-std::optional<Command> draw_menu(const ViewState& view, bool escape);
+std::optional<Action> draw_menu(const ViewState& view, bool escape);
 float menu_height();
 
 }  // namespace nullscope::viewer

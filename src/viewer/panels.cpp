@@ -12,6 +12,7 @@
 #include "base/credits.h"
 #include "version/version.h"
 #include "viewer/menu.h"
+#include "viewer/overlay.h"
 #include "viewer/panel_system.h"
 #include "viewer/widgets.h"
 
@@ -24,7 +25,7 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowF
 constexpr float kPanelWidth = 19.0f;  // of the font's size
 constexpr float kPanelMargin = 0.6f;
 
-constexpr std::pair<const char*, const char*> kKeys[] = {
+constexpr std::pair<const char*, const char*> kFixedKeys[] = {
     {"Left drag", "look around"},
     {"Click on a body", "its section of the scene editor"},
     {"Right drag, Q E", "roll"},
@@ -38,7 +39,6 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"R", "return to the scene's camera"},
     {"H", "show the error of every pixel"},
     {"P", "show the ray under the cursor"},
-    {"K", "show the critical curve"},
     {"O", "colour image orders"},
     {"Tab", "show or hide the panels"},
     {"Ctrl + Tab", "panels by arrow keys and Enter"},
@@ -61,6 +61,16 @@ constexpr std::pair<const char*, const char*> kKeys[] = {
     {"Page Up, Down", "tour: back, next"},
     {"Escape, Ctrl + Q", "close what is open; quit"},
 };
+
+// With those of overlays.
+std::vector<std::pair<const char*, const char*>> listed_keys() {
+    std::vector<std::pair<const char*, const char*>> keys(std::begin(kFixedKeys), std::end(kFixedKeys));
+    auto at =
+        std::ranges::find(keys, std::string_view("P"), [](const auto& key) { return std::string_view(key.first); });
+    for (const Overlay* overlay : overlays())
+        if (overlay->key != 0) at = keys.insert(std::next(at), {overlay->keys, overlay->key_words});
+    return keys;
+}
 
 bool side_panel(ViewState& view, const FrameFacts& facts, bool escape) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -157,14 +167,15 @@ void status_line(const FrameFacts& facts) {
 void keys_window(float top) {
     constexpr float kBacking = 0.95f;               // readable over the side panel in a small window
     constexpr float kColumn = 8.5f, kBoth = 24.0f;  // of the font's size: of the keys, of a whole column
+    const auto listed = listed_keys();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float margin = kPanelMargin * em(), line = ImGui::GetTextLineHeightWithSpacing(),
                 room = screen.y - top - 2.0f * margin;
     const auto whole = [](float number) { return static_cast<std::size_t>(std::max(number, 1.0f)); };
     const std::size_t most = whole((screen.x - 2.0f * em()) / (kBoth * em()));  // columns
-    const auto shared = [](std::size_t columns) { return (std::size(kKeys) + columns - 1) / columns; };
+    const auto shared = [&](std::size_t columns) { return (listed.size() + columns - 1) / columns; };
     const std::size_t rows = std::max(whole(room / line - 1.0f), shared(most));
-    const std::size_t fit = shared((std::size(kKeys) + rows - 1) / rows);  // columns as long as each other
+    const std::size_t fit = shared((listed.size() + rows - 1) / rows);  // columns as long as each other
     const bool scrolls = static_cast<float>(fit) * line + em() > room;
     ImGui::SetNextWindowPos({screen.x - margin, top + margin}, ImGuiCond_Always, {1.0f, 0.0f});
     ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {screen.x, room});
@@ -172,8 +183,8 @@ void keys_window(float top) {
     constexpr ImGuiWindowFlags kFlags = (kFixed & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize;
     if (ImGui::Begin("##keys", nullptr, scrolls ? kFlags : kFlags | ImGuiWindowFlags_NoInputs)) {
         const ImVec2 corner = ImGui::GetCursorPos();
-        for (std::size_t i = 0; i < std::size(kKeys); ++i) {
-            const auto [keys, what] = kKeys[i];
+        for (std::size_t i = 0; i < listed.size(); ++i) {
+            const auto [keys, what] = listed[i];
             const std::size_t column = i / fit, row = i % fit;
             const float left = corner.x + static_cast<float>(column) * kBoth * em();
             ImGui::SetCursorPos({left, corner.y + static_cast<float>(row) * line});

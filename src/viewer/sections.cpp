@@ -204,7 +204,8 @@ bool light_section(ViewState& view, bool escape) {
     changed |= tick("Grid", view.show_grid, "Coordinate lines on the sky and the disc instead of their images.");
     tick("Probe", view.show_probe,
          "The ray of the pixel under the cursor: its path, its numbers, both parts of g (key P).");
-    tick("Critical", view.show_critical, kCriticalCurveHelp);
+    if (bool shown = shows(view, kCriticalOverlay); tick("Critical", shown, kCriticalOverlay.help))
+        toggle(view, kCriticalOverlay);
     tick_if(view.show_probe, "Potential", view.show_potential, kPotentialHelp, "Only with the probe.");
     return changed;
 }

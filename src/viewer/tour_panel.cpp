@@ -24,16 +24,16 @@ void align_right(float width) { ImGui::SameLine(std::max(ImGui::GetWindowContent
 bool draw_entry(const TourInfo& tour) {
     const float width = ImGui::GetContentRegionAvail().x, gap = 0.2f * em();
     const std::string words = wrapped(tour.description, width), steps = fmt::format("{} steps", tour.steps);
-    const float line = ImGui::GetTextLineHeight();
+    const float height = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const ImVec2 size{width, line + gap + ImGui::CalcTextSize(words.c_str()).y};
+    const ImVec2 size{width, height + gap + ImGui::CalcTextSize(words.c_str()).y};
     const bool chosen = ImGui::InvisibleButton(tour.path.c_str(), size) && tour.steps > 0;
     const ImU32 title = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_CheckMark : ImGuiCol_Text);
     const ImU32 dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddText(at, title, tour.title.c_str());
     if (tour.steps > 0) draw.AddText({at.x + width - ImGui::CalcTextSize(steps.c_str()).x, at.y}, dim, steps.c_str());
-    draw.AddText({at.x, at.y + line + gap}, dim, words.c_str());
+    draw.AddText({at.x, at.y + height + gap}, dim, words.c_str());
     ImGui::Dummy({0.0f, 0.3f * em()});
     return chosen;
 }

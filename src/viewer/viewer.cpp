@@ -1,7 +1,5 @@
 #include "viewer/viewer.h"
-#include "viewer/clock_overlay.h"
-#include "viewer/critical_overlay.h"
-#include "viewer/embedding_panel.h"
+#include "viewer/overlay.h"
 #include "viewer/recording_sign.h"
 #include "viewer/ring_zoom.h"
 #include "viewer/sections.h"
@@ -235,8 +233,9 @@ float Viewer::overlays(float top, float bottom) {
     if (!message_.empty() || view_.fall.ended())
         draw_message(message_.empty() ? end_of_fall(view_) : message_, edge, right, bottom);
     if (picture_.texture != 0) top = std::max(top, marks_.labels_bottom());
-    float left = edge + gap;
-    if (view_.show_clock) left = draw_clock_overlay(view_, left, right - gap, top + gap);
+    OverlayPlace place{view_, picture_.job.scene, probe_, edge + gap, right - gap, top + gap, bottom};
+    draw_overlays(Overlay::Where::kTopLeft, place);
+    const float left = place.left;
     draw_zoom_overlay(zoom_words_, left, right - gap, top + gap);
     if (!timeline_.records()) return top;
     return top + gap + draw_recording_sign(timeline_.recorded_s(), left + gap, right - gap, top + gap);
@@ -247,9 +246,9 @@ void Viewer::left_corner(float bottom) {
     const float left = view_.show_panels ? side_panel_right() : 0.0f,
                 right = ImGui::GetIO().DisplaySize.x -
                         std::max(view_.show_panels ? editor_.width() : 0.0f, view_.show_probe ? probe_.width() : 0.0f);
-    const Scene& scene = picture_.job.scene;
-    if (view_.show_embedding) bottom = draw_embedding(scene, probe_.facts_in(scene.spacetime), left, right, bottom);
-    if (shows_orders(0) || shows_orders(1)) draw_order_legend(left, right, bottom);
+    OverlayPlace place{view_, picture_.job.scene, probe_, left, right, 0.0f, bottom};
+    draw_overlays(Overlay::Where::kBottomLeft, place);
+    if (shows_orders(0) || shows_orders(1)) draw_order_legend(left, right, place.bottom);
 }
 
 bool Viewer::move(const Input& input, double dt) {

@@ -93,14 +93,13 @@ private:
     void save_picture();  // as soon as it is whole
     // viewer_commands.cpp; true if the scene changed
     bool handle_keys(const Input& input);
-    bool perform(Command command);
+    bool perform(const Action& action);
     bool step_history(bool back);
     bool paste();
     bool paste_scene(const std::string& line);
     bool add(const std::string& section);
     void pick(double x, double y);  // the body there
     void close_topmost();
-    void toggle_critical_curve();
     void toggle_potential();
     bool compare();  // or its end
     void navigate();

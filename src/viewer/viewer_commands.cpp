@@ -11,7 +11,6 @@
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
 #include "studio/comparison.h"
-#include "viewer/critical_overlay.h"
 #include "viewer/picking.h"
 #include "viewer/sections.h"
 #include "viewer/viewer.h"
@@ -47,9 +46,9 @@ bool Viewer::handle_keys(const Input& input) {
             if (!panel_system_->had_control()) panel_system_->navigate(false);
             continue;
         }
-        const auto command = command_of(press);
+        const auto command = action_of(press);
         const bool pastes = command == Command::kPasteView && gallery_.is_open() && is_view(clipboard());
-        if (io.WantCaptureKeyboard && !pastes && (!command || !works_while_typing(*command))) continue;
+        if (io.WantCaptureKeyboard && !pastes && (!command || !works_while_typing(command->command))) continue;
         if (press.key == GLFW_KEY_ESCAPE && !press.control) close_topmost();
         if (command) changed |= perform(*command);
     }
@@ -68,16 +67,17 @@ void Viewer::close_topmost() {
     say("Escape once more, or Ctrl + Q, quits");
 }
 
-bool Viewer::perform(Command command) {
+bool Viewer::perform(const Action& action) {
     const auto toggle = [](bool& shown) { return shown = !shown, false; };
     const auto scale_text = [&](double by) {
         settings_.text_scale = std::clamp(settings_.text_scale + by, kLeastTextScale, kMostTextScale);
         frames_due_ = kSettlingFrames;
         return false;
     };
-    if (const std::string reason = why_not(command, view_); !reason.empty()) return say(reason), false;
+    const bool ends = action.overlay != nullptr && shows(view_, *action.overlay);
+    if (const std::string reason = why_not(action, view_); !reason.empty() && !ends) return say(reason), false;
     history_.rest(view_);  // what was flown until now
-    switch (command) {
+    switch (action.command) {
         case Command::kGallery: return gallery_.open(view_.shipped, tours()), false;
         case Command::kSave: return save_scene(), false;
         case Command::kSaveAs: return save_as_.ask(usual_path()), false;
@@ -104,7 +104,6 @@ bool Viewer::perform(Command command) {
         case Command::kRecord: return record(), true;
         case Command::kErrors: return toggle(view_.show_errors);
         case Command::kProbe: return toggle(view_.show_probe);
-        case Command::kCriticalCurve: return toggle_critical_curve(), false;
         case Command::kPotential: return toggle_potential(), false;
         case Command::kFullScreen: return window_->toggle_full_screen(), false;
         case Command::kLargerText: return scale_text(kTextStep);
@@ -112,9 +111,7 @@ bool Viewer::perform(Command command) {
         case Command::kBookmark: return bookmark_due_ = true, false;
         case Command::kBookmarks: return toggle(view_.show_bookmarks);
         case Command::kLightTheme: return toggle(view_.light_theme);
-        case Command::kClockOverlay: return toggle(view_.show_clock);
         case Command::kOrders: return toggle(view_.show_orders);
-        case Command::kEmbedding: return toggle(view_.show_embedding);
         case Command::kCompare: return compare();
         case Command::kSwapSides: return history_.rest(view_), swap_sides(view_), history_.rest(view_), true;
         case Command::kNavigate: return navigate(), false;
@@ -123,6 +120,7 @@ bool Viewer::perform(Command command) {
         case Command::kTours: return toggle(view_.show_tours);
         case Command::kTourNext: return step_tour(1);
         case Command::kTourBack: return step_tour(-1);
+        case Command::kOverlay: return viewer::toggle(view_, *action.overlay), false;
     }
     return false;
 }
@@ -213,13 +211,6 @@ void Viewer::pick(double x, double y) {
     view_.show_editor = true;
     editor_.reveal(body_section(view_.scene, number));
     frames_due_ = kSettlingFrames;
-}
-
-void Viewer::toggle_critical_curve() {
-    view_.show_critical = !view_.show_critical;
-    const bool on_b = view_.side_b != nullptr && has_critical_curve(drawn_side_b(view_));
-    if (view_.show_critical && !has_critical_curve(view_.scene) && !on_b)
-        say("There is no critical curve here: no photon sphere");
 }
 
 void Viewer::toggle_potential() {

@@ -14,7 +14,7 @@
 #include "image/image_file.h"
 #include "scenefile/picture_scene.h"
 #include "version/version.h"
-#include "viewer/critical_overlay.h"
+#include "viewer/overlay.h"
 #include "viewer/ring_zoom.h"
 #include "viewer/viewer.h"
 
@@ -168,12 +168,14 @@ void Viewer::draw_over_sides(float top, float bottom) {
     draw.PushClipRect({0.0f, 0.0f}, {parted, screen.y});
     if (shows_orders(0)) orders_[0].draw();
     if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
-    if (view_.show_critical) draw_critical_curve(picture_.job.scene);
+    OverlayPlace place{view_, picture_.job.scene, probe_, 0.0f, parted, top, bottom};
+    draw_overlays(Overlay::Where::kPicture, place);
     draw.PopClipRect();
     if (b == nullptr) return;
     draw.PushClipRect({parted, 0.0f}, screen);
     if (shows_orders(1)) orders_[1].draw();
-    if (view_.show_critical) draw_critical_curve(b->scene);
+    OverlayPlace beside{view_, b->scene, probe_, parted, screen.x, top, bottom};
+    draw_overlays(Overlay::Where::kPicture, beside);
     draw.PopClipRect();
     divider_.draw(side_words_, view_.show_panels ? side_panel_right() : 0.0f, top, bottom, unit);
 }

@@ -11,10 +11,10 @@ Status Viewer::start_tour(const std::filesystem::path& file) {
     tour_.start(std::move(*tour));
     gallery_.close();
     // What lies over the picture is not what its text speaks of.
-    for (bool ViewState::*overlay :
-         {&ViewState::show_tours, &ViewState::show_errors, &ViewState::show_critical, &ViewState::show_orders,
-          &ViewState::show_embedding, &ViewState::show_probe, &ViewState::show_potential, &ViewState::show_clock})
+    for (bool ViewState::*overlay : {&ViewState::show_tours, &ViewState::show_errors, &ViewState::show_orders,
+                                     &ViewState::show_probe, &ViewState::show_potential})
         view_.*overlay = false;
+    view_.overlays.clear();
     return Done{};
 }
 
