@@ -1,13 +1,15 @@
 #include "viewer/clock_overlay.h"
 #include "viewer/critical_overlay.h"
 #include "viewer/embedding_panel.h"
+#include "viewer/guides_overlay.h"
 #include "viewer/overlay.h"
 
 namespace nullscope::viewer {
 
 // In the menu's order.
 std::span<const Overlay* const> overlays() {
-    static constexpr const Overlay* kOverlays[] = {&kCriticalOverlay, &kEmbeddingOverlay, &kClockOverlay};
+    static constexpr const Overlay* kOverlays[] = {&kCriticalOverlay, &kEmbeddingOverlay, &kClockOverlay,
+                                                   &kGuidesOverlay};
     return kOverlays;
 }
 

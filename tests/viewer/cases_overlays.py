@@ -181,6 +181,17 @@ def test_the_embedding_diagram_is_drawn(screen, program, folder):
         assert any(name.startswith("##Tooltip") and "rotating" in words for name, words, _ in v.layout().texts), "no tooltip says why"
 
 
+def test_framing_guides_lie_over_the_picture(screen, program, folder):
+    area = (2 * WIDTH // 3 - 2, HEIGHT // 2 + 40, 2 * WIDTH // 3 + 3, HEIGHT // 2 + 90)   # right of the panels, beside the middle
+    with opened(screen, program, scene=DARK) as v:
+        dark = v.picture(area).data
+        from_menu(v, "View", "Framing guides")
+        shown = v.picture(area).data
+        assert shown != dark, "no line at two thirds of the width"
+        from_menu(v, "View", "Framing guides")
+        assert v.picture(area).data == dark, "the guides stay"
+
+
 def test_the_windows_place_is_kept(screen, program, folder):
     def place(v):
         words = subprocess.run(["xdotool", "getwindowgeometry", v.window], env=v.env, capture_output=True, text=True).stdout
@@ -296,5 +307,5 @@ if EVERYTHING:
     CASES += [test_both_sides_of_a_comparison_have_image_orders, test_lengths_of_the_panels_are_in_the_chosen_unit,
               test_z_and_the_wheel_zoom_into_the_photon_ring, test_the_ring_of_a_rotating_hole_can_be_zoomed_into,
               test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
-              test_the_embedding_diagram_is_drawn, test_the_windows_place_is_kept,
+              test_the_embedding_diagram_is_drawn, test_framing_guides_lie_over_the_picture, test_the_windows_place_is_kept,
               test_panels_are_used_by_keyboard, test_the_sides_of_a_comparison_are_swapped]
