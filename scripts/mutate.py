@@ -94,7 +94,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("handedness", "a left-handed frame", "src/render/frame_numbers.cpp",
      "cross(radial, meridian)", "cross(meridian, radial)", HARD),
     ("through", "light behind a translucent disc not dimmed", "shaders/stage/trace.frag",
-     "through -= over.a;\n        walk = disc_walk_on", "walk = disc_walk_on", GOLDEN),
+     "through -= over.a;\n        walk = disc_next", "walk = disc_next", GOLDEN),
     ("display", "a missing square root in the display's curve", "shaders/effect/display.glsl",
      "vec3 s1 = sqrt(c);", "vec3 s1 = c;", GOLDEN),
     ("stale", "tables kept when the camera moves", "src/render/planar_path.cpp",

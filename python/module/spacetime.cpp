@@ -51,7 +51,8 @@ nb::object circular(const Space& space, const nb::object& r) {
     const auto orbit = circular_orbit(*space.metric, checked_radius(*space.metric, r));
     if (!orbit) return nb::none();
     nb::dict numbers;
-    numbers["u_t"] = orbit->u_t, numbers["omega"] = orbit->omega;
+    numbers["ut_up"] = orbit->u_t, numbers["omega"] = orbit->omega;
+    numbers["u_t"] = orbit->u_t;  // its name before
     numbers["energy"] = orbit->energy, numbers["momentum"] = orbit->momentum;
     return numbers;
 }
@@ -168,7 +169,8 @@ void add_spacetime(nb::module_& m) {
             },
             nb::arg("r").none(), nb::arg("theta").none() = M_PI / 2, "g^{mu nu}, shape (4, 4).")
         .def("circular_orbit", circular, nb::arg("r").none(),
-             "The circular geodesic at r in the equatorial plane, towards growing phi: u_t = dt/dtau, omega = dphi/dt "
+             "The circular geodesic at r in the equatorial plane, towards growing phi: ut_up = u^t = dt/dtau, omega = "
+             "dphi/dt "
              "in "
              "c/r_s, energy and momentum (r_s c) per rest mass. None where there is none.")
         .def("spherical_photon_orbit", photon, nb::arg("theta").none() = M_PI / 2, nb::arg("psi").none() = 0.0,

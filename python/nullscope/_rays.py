@@ -16,7 +16,8 @@ _NUMBERS = ("theta_inf", "phi_inf", "angle", "delay", "g", "turn", "at")
 
 class Fate(enum.IntEnum):
     """Where a ray ends, traced backward in time from the camera."""
-    LEFT_OUT = -1     # the shader cannot trace it
+    UNSUPPORTED = -1  # the shader cannot trace it
+    LEFT_OUT = -1     # its name before, the same value
     ESCAPED = 0       # the sky
     CAPTURED = 1      # the horizon
     OTHER_SIDE = 2    # through a wormhole, the sky there

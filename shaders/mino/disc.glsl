@@ -18,7 +18,7 @@ DiscWalk disc_walk(Trace trace) {
     return walk;
 }
 
-DiscWalk disc_walk_on(Trace trace, DiscWalk walk) {
+DiscWalk disc_next(Trace trace, DiscWalk walk) {
     walk.number += 1;
     walk.more = walk.more && spin_disc_more(trace, walk.number);
     return walk;

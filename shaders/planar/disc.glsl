@@ -71,7 +71,7 @@ DiscWalk disc_walk(Trace trace) {
     return disc_walk_at(trace, walk);
 }
 
-DiscWalk disc_walk_on(Trace trace, DiscWalk walk) {
+DiscWalk disc_next(Trace trace, DiscWalk walk) {
     walk.number += 1;
     return disc_walk_at(trace, walk);
 }

@@ -63,7 +63,7 @@ PixelData ray_data(Trace trace) {
     if (solid.object != 0) data.angle = swept_angle(solid.phi);
 #endif
 #ifdef EFFECT_DISC
-    for (DiscWalk walk = disc_walk(trace); walk.more && data.hit == 0.0; walk = disc_walk_on(trace, walk)) {
+    for (DiscWalk walk = disc_walk(trace); walk.more && data.hit == 0.0; walk = disc_next(trace, walk)) {
         DiscCrossing crossing = disc_walk_crossing(trace, walk);
 #ifdef NEEDS_PLACE
         if (crossing.phi > solid.phi) break;

@@ -27,7 +27,7 @@ layout(location = 1) out vec4 medium_mean;   // of matter along the ray: where i
 // Of the crossing that the ray data say.
 float matter_g(Trace trace, float along) {
     float g = 0.0;
-    for (DiscWalk walk = disc_walk(trace); walk.more && g == 0.0; walk = disc_walk_on(trace, walk)) {
+    for (DiscWalk walk = disc_walk(trace); walk.more && g == 0.0; walk = disc_next(trace, walk)) {
         DiscCrossing crossing = disc_walk_crossing(trace, walk);
         if (crossing.hit && crossing.phi >= along) g = disc_matter(trace, crossing).g;
     }

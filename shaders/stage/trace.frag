@@ -73,7 +73,7 @@ vec4 ray_light(vec2 pixel) {
         over = walk.more && crossing.hit ? over * through : vec4(0.0);
         light += layer_light(over.rgb, over.a, LAYER_DISC + min(disc_walk_order(walk, crossing), 2));
         through -= over.a;
-        walk = disc_walk_on(trace, walk);
+        walk = disc_next(trace, walk);
     } while (walk.more && through > 0.002);
 #endif
 #ifdef NEEDS_PLACE

@@ -79,9 +79,11 @@ bool has_tiles(const EffectSet& effects) {
     if (effects.contains(Effect::kCubeFaces) || effects.contains(Effect::kWarp)) return false;
     return has_marched(effects) && !effects.contains(Effect::kSides) && !effects.contains(Effect::kSpinFall);
 }
-bool tiles_tell_disc(const EffectSet& effects) { return effects.contains(Effect::kDisc) && ends_are_plain(effects); }
-bool tiles_tell_full_disc(const EffectSet& effects) {
-    return tiles_tell_disc(effects) && light_path_kind(effects) == LightPathKind::kPlanar;
+bool tiles_classify_disc(const EffectSet& effects) {
+    return effects.contains(Effect::kDisc) && ends_are_plain(effects);
+}
+bool tiles_classify_full_disc(const EffectSet& effects) {
+    return tiles_classify_disc(effects) && light_path_kind(effects) == LightPathKind::kPlanar;
 }
 bool interpolates(const EffectSet& effects) {
     return light_path_kind(effects) == LightPathKind::kMino && ends_are_plain(effects);
@@ -91,7 +93,7 @@ bool has_projection(const EffectSet& effects) {
            effects.contains(Effect::kCylindrical) || effects.contains(Effect::kCubeFaces);
 }
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
-bool shades_heat(const EffectSet& effects) {
+bool uses_black_body(const EffectSet& effects) {
     return effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kSpot) ||
            effects.contains(medium_effect(MediumKind::kGas)) || effects.contains(Effect::kMediumBlackBody) ||
            (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));

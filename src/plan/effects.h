@@ -138,21 +138,21 @@ private:
 enum class LightPathKind { kPlanar, kMino };
 LightPathKind light_path_kind(const EffectSet& effects);
 // Where a picture is drawn in tiles, they tell apart: has_tiles: whether they may show a marched body (all outside of every horizon, on
-// one side of the throat); tiles_tell_disc: whether they may show the disc;
-// tiles_tell_full_disc: or nothing else; interpolates: whether rays may be interpolated in them.
+// one side of the throat); tiles_classify_disc: whether they may show the disc;
+// tiles_classify_full_disc: or nothing else; interpolates: whether rays may be interpolated in them.
 bool has_tiles(const EffectSet& effects);
-bool tiles_tell_disc(const EffectSet& effects);
-bool tiles_tell_full_disc(const EffectSet& effects);
+bool tiles_classify_disc(const EffectSet& effects);
+bool tiles_classify_full_disc(const EffectSet& effects);
 bool interpolates(const EffectSet& effects);
 bool has_marched(
     const EffectSet& effects);  // bodies that are found by steps: all but the sphere, and that about a rotating hole
-bool has_projection(const EffectSet& effects);  // other than the pinhole
-bool has_solids(const EffectSet& effects);      // any solid body
-bool has_medium(const EffectSet& effects);      // matter along rays
-bool shades_heat(const EffectSet& effects);     // black bodies in the picture's shader: the table of their light
-bool takes_samples(const EffectSet& effects);   // pixels with several rays each
-bool meets_objects(const EffectSet& effects);   // anything that needs positions along rays: ray ends, orbit table
-bool moves(const EffectSet& effects);           // a body whose place or shape depends on time
+bool has_projection(const EffectSet& effects);   // other than the pinhole
+bool has_solids(const EffectSet& effects);       // any solid body
+bool has_medium(const EffectSet& effects);       // matter along rays
+bool uses_black_body(const EffectSet& effects);  // in the picture's shader: the table of their light
+bool takes_samples(const EffectSet& effects);    // pixels with several rays each
+bool meets_objects(const EffectSet& effects);    // anything that needs positions along rays: ray ends, orbit table
+bool moves(const EffectSet& effects);            // a body whose place or shape depends on time
 
 struct EffectReason {
     Effect effect;

@@ -18,7 +18,7 @@ constexpr double kShippedGridSpin = 0.9;  // of assets/medium/torus.grid
 std::vector<SceneKey> grid_keys() {
     const std::string_view scaled = kinds_with(kDensityScale);
     return {
-        {"medium", "file", KeyType::kImage, "", "", kNoRange, "grid of matter",
+        {"medium", "file", KeyType::kFile, "", "", kNoRange, "grid of matter",
          "The file of the matter; docs/matter.md has its format. Needs kind = \"grid\".",
          [](auto& s) { return &s.medium->grid.file; }, is_grid, kGrid, true},
         {"medium", "density_scale", KeyType::kNumber, "", "1", closed(1e-12, 1e12), "",

@@ -198,7 +198,7 @@ std::span<const Feature> picture_features() {
          nothing,
          [](Scene& s) { s.camera.warp = assets_directory() / "warp" / "mirror.data"; },
          nullptr,
-         {{"camera", "warp", KeyType::kImage, "", "", kNoRange, "warp mesh",
+         {{"camera", "warp", KeyType::kFile, "", "", kNoRange, "warp mesh",
            "Mesh in Paul Bourke's format that lays the projection's picture out anew, for mirror domes and curved "
            "screens.",
            [](auto& s) { return &s.camera.warp; },

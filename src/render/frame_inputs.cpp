@@ -123,7 +123,7 @@ void FrameInputs::load_heat(const FrameTables& tables) {
 }
 
 void FrameInputs::load_black_body(const EffectSet& effects) {
-    const bool wanted = shades_heat(effects) || effects.contains(Effect::kPointStars);
+    const bool wanted = uses_black_body(effects) || effects.contains(Effect::kPointStars);
     if (!wanted)
         black_body_ = {};
     else if (!black_body_)

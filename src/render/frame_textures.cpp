@@ -31,7 +31,7 @@ constexpr long long kMipThirds = 4;                            // with mip level
 
 bool meets(Effect effect) { return meets_objects({effect}); }
 bool shades(Effect effect) {
-    return shades_heat({effect}) || effect == Effect::kPointStars || effect == Effect::kSkyShift;
+    return uses_black_body({effect}) || effect == Effect::kPointStars || effect == Effect::kSkyShift;
 }
 bool keeps(Effect effect) { return keeps_light(passes({effect}, Output::kDisplay)); }
 bool scatters(Effect effect) { return effect == Effect::kBloom || effect == Effect::kAutoExposure; }
@@ -165,7 +165,7 @@ Result<std::vector<FrameTexture>> frame_textures(const FrameTables& tables) {
     if (effects.contains(Effect::kThermalDisc))
         to.add("disc flow", 1, kDiscFlowCells + 1, kDiscFlowRows, kTexel * (kDiscFlowCells + 1) * kDiscFlowRows,
                is<Effect::kThermalDisc>);
-    if (shades_heat(effects) || effects.contains(Effect::kPointStars))
+    if (uses_black_body(effects) || effects.contains(Effect::kPointStars))
         to.add("black body", 1, kBlackBodyCells + 1, 1, kTexel * (kBlackBodyCells + 1), shades);
     if (effects.contains(Effect::kPointStars)) {
         TRY(added, add_stars(scene, tables.path().finds_star_images(), to));

@@ -18,7 +18,7 @@ void PictureTiles::resize(const std::vector<Pass>& passes, int width, int height
     const int across = (width + kTileSide - 1) / kTileSide, up = (height + kTileSide - 1) / kTileSide;
     const bool rays = passes.front().stage == Stage::kRays;
     const bool tiles = std::ranges::any_of(passes, [](const Pass& pass) { return finds_tiles(pass.stage); });
-    resize_target(rays_, rays, rays_a_tile(effects) * (across + 3), up + 3, tiles_tell_disc(effects) ? 2 : 1);
+    resize_target(rays_, rays, rays_a_tile(effects) * (across + 3), up + 3, tiles_classify_disc(effects) ? 2 : 1);
     resize_target(tiles_, tiles, across, up, 1);
 }
 

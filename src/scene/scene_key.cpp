@@ -38,7 +38,7 @@ std::string allowed_text(const SceneKey& key) {
         case KeyType::kSize: return fmt::format("two integers from {} to {}", range.low, range.high);
         case KeyType::kChoice: return list_of(split(key.choices, ' '));
         case KeyType::kText: return fmt::format("one line of at most {} bytes", kLongestText);
-        case KeyType::kImage:
+        case KeyType::kFile:
             return fmt::format("{} file, relative to the scene file",
                                key.choices.empty() ? "an image" : fmt::format("a {}", key.choices));
         case KeyType::kMetric: break;

@@ -8,9 +8,9 @@
 
 namespace nullscope {
 
-// kVelocity, kPoint, kColour: an array of 3 numbers. kSize: an array of 2 integers. kWhole: an integer. kImage: a file, relative
+// kVelocity, kPoint, kColour: an array of 3 numbers. kSize: an array of 2 integers. kWhole: an integer. kFile: a file, relative
 // to the scene file. kFormula: an expression (docs/expressions.md) of the variables in SceneKey::choices.
-enum class KeyType { kNumber, kVelocity, kPoint, kColour, kSize, kWhole, kChoice, kText, kImage, kMetric, kFormula };
+enum class KeyType { kNumber, kVelocity, kPoint, kColour, kSize, kWhole, kChoice, kText, kFile, kMetric, kFormula };
 
 struct KeyRange {
     double low = 0, high = 0;
@@ -35,7 +35,7 @@ struct SceneKey {
     std::string_view fallback = {};  // default, as it would be written in a file; "" for none
     KeyRange range = {};             // kNumber, in the file's unit; arrays: of every number
     std::string_view choices =
-        {};  // kChoice: words separated by one blank; kFormula: variables; kImage: what the file is, "" an image
+        {};  // kChoice: words separated by one blank; kFormula: variables; kFile: what the file is, "" an image
     std::string_view help = {};             // one sentence
     KeyMember member = {};                  // of what a scene may have several of: of the last
     bool (*meant)(const Scene&) = nullptr;  // whether the key means anything in this scene; null: in every one ...

@@ -83,7 +83,7 @@ std::vector<SceneKey> material_keys(std::string_view section) {
         {section, "texture", KeyType::kChoice, "", "plain", kNoRange, "plain checker grid stripes noise formula image",
          "Surface texture: one colour, a pattern of two colours, or an image.",
          [](auto& s) { return &Of::material(s).texture; }},
-        {section, "image", KeyType::kImage, "", "", kNoRange, "", "The image; needs texture = \"image\".",
+        {section, "image", KeyType::kFile, "", "", kNoRange, "", "The image; needs texture = \"image\".",
          [](auto& s) { return &Of::material(s).image; }, texture_is<Of, TextureKind::kImage>, "texture = \"image\"",
          true},
         formula_key<Of>(section, "Share of the first colour, from 0 to 1; needs texture = \"formula\"."),

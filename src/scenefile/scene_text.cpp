@@ -20,7 +20,7 @@ std::string canonical_words(const SceneKey& key, const KeyValue& value) {
         case KeyType::kWhole: return fmt::format("{}", value.width);
         case KeyType::kSize: return fmt::format("{} {}", value.width, value.height);
         case KeyType::kChoice: return fmt::format("{}", value.choice);
-        case KeyType::kImage: return value.path.string();
+        case KeyType::kFile: return value.path.string();
         case KeyType::kText:
         case KeyType::kMetric:
         case KeyType::kFormula: break;

@@ -114,7 +114,7 @@ Checked check_text(const SceneKey& key, const std::string& text, const SceneFold
     } else if (key.type == KeyType::kFormula) {
         if (const auto formula = expr::Formula::parse(text, split(key.choices, ' ')); !formula)
             return bad_input(formula.error().what);
-    } else if (key.type == KeyType::kImage) {
+    } else if (key.type == KeyType::kFile) {
         const auto there = std::ranges::find_if(folders, [&](const fs::path& folder) {
             std::error_code error;
             return fs::is_regular_file(folder / text, error);

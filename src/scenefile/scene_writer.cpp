@@ -94,7 +94,7 @@ std::string value_text(const SceneKey& key, const KeyValue& value, const Written
         case KeyType::kWhole: return fmt::format("{}", value.width);
         case KeyType::kSize: return fmt::format("[{}, {}]", value.width, value.height);
         case KeyType::kChoice: return toml_string(split(key.choices, ' ')[static_cast<std::size_t>(value.choice)]);
-        case KeyType::kImage: return as.path(value.path);
+        case KeyType::kFile: return as.path(value.path);
         case KeyType::kText:
         case KeyType::kMetric:
         case KeyType::kFormula: break;
@@ -159,7 +159,7 @@ private:
                 word ? text == toml_string(key.fallback) : text == value_text(key, key.member.get(before), as_);
             if (!value.there || (is_default && !key.needed)) continue;
             lines += fmt::format("{} = {}\n", key.key, text);
-            if (key.type == KeyType::kImage && !value.path.empty()) add_file(value.path);
+            if (key.type == KeyType::kFile && !value.path.empty()) add_file(value.path);
         }
         return lines;
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <type_traits>
 
 #include "plan/body_kind.h"
 #include "scene/bodies.h"
@@ -31,39 +30,57 @@ constexpr SectionList list_of(std::size_t most, std::string_view words) {
 constexpr SectionList kSpots = list_of<&Scene::spots>(kMostSpots, "[[spot]]");
 constexpr SectionList kBodies = list_of<&Scene::bodies>(kMostBodies, "bodies");
 
-// One that a scene has or has not. part: [](auto& s) -> auto& { return s.disc; }, an optional.
+// One that a scene has or has not. part: [](auto& s) { return &s.disc; }, an optional.
 template <class Part>
 Section once(std::string_view name, std::string_view help, Part) {
     return {.name = name,
             .help = help,
-            .add = [](Scene& s) { Part{}(s).emplace(); },
-            .there = [](const Scene& s) { return Part{}(s).has_value(); },
-            .remove = [](Scene& s) { Part{}(s).reset(); }};
+            .add = [](Scene& s) { Part{}(s)->emplace(); },
+            .there = [](const Scene& s) { return Part{}(s)->has_value(); },
+            .remove = [](Scene& s) { Part{}(s)->reset(); }};
+}
+
+Section spacetime_row() {
+    Section row{.name = "spacetime", .first = "metric"};
+    row.spacetime = [](auto& s) { return &s.spacetime; };
+    return row;
 }
 
 Section zoom_row() {
-    Section row = once(
-        "zoom", "A magnification towards the photon ring.", [](auto& s) -> auto& { return s.camera.zoom; });
+    Section row = once("zoom", "A magnification towards the photon ring.", [](auto& s) { return &s.camera.zoom; });
     row.within = "camera";
     return row;
 }
 
 Section split_row() {
-    Section row = once(
-        "split", "The right half of the picture in another spacetime.", [](auto& s) -> auto& { return s.split; });
+    Section row =
+        once("split", "The right half of the picture in another spacetime.", [](auto& s) { return &s.split; });
     row.propose = [](Scene& s) { s.split->metric = "minkowski"; };
-    row.spacetime = {[](auto& s) -> auto& {return *s.split;
+    row.spacetime = [](auto& s) { return &*s.split; };
+    row.first = "metric";
+    return row;
 }
-};  // namespace
-row.first = "metric";
-return row;
-}  // namespace nullscope
+
+Section disc_row() {
+    return once("disc", "A flat disc about the hole.", [](auto& s) { return &s.disc; });
+}
+
+Section medium_row() {
+    return once("medium", "Matter that emits and absorbs light along rays.", [](auto& s) { return &s.medium; });
+}
 
 Section path_row() {
-    Section row = once(
-        "path", "Where the camera goes, frame by frame.", [](auto& s) -> auto& { return s.path; });
+    Section row = once("path", "Where the camera goes, frame by frame.", [](auto& s) { return &s.path; });
     row.inner = "key";
     return row;
+}
+
+Section spot_row() {
+    return {.name = "spot",
+            .help = "A hot spot that orbits in the disc.",
+            .add = [](Scene& s) { s.spots.emplace_back(); },
+            .list = &kSpots,
+            .is = [](const Scene&, std::size_t) { return true; }};
 }
 
 Section body_row(const BodyKind& kind) {
@@ -75,28 +92,16 @@ Section body_row(const BodyKind& kind) {
 }
 
 std::vector<Section> all_rows() {
-    std::vector<Section> rows = {{.name = ""},
-                                 {.name = "spacetime", .spacetime = {[](auto& s) -> auto& {return s.spacetime;
-}
-}
-, .first = "metric"
-}
-, {.name = "camera", .first = "projection"}, {.name = "sky"}, {.name = "far_sky"}, {.name = "light"},
-    {.name = "picture"}, {.name = "object"}, zoom_row(), split_row(),
-    once(
-        "disc", "A flat disc about the hole.", [](auto& s) -> auto& { return s.disc; }),
-    once(
-        "medium", "Matter that emits and absorbs light along rays.", [](auto& s) -> auto& { return s.medium; }),
-    path_row(),
-    {.name = "spot",
-     .help = "A hot spot that orbits in the disc.",
-     .add = [](Scene& s) { s.spots.emplace_back(); },
-     .list = &kSpots,
-     .is = [](const Scene&, std::size_t) { return true; }},
-}
-;
-for (const BodyKind* kind : body_kinds()) rows.push_back(body_row(*kind));
-return rows;
+    std::vector<Section> rows = {{.name = ""}, spacetime_row(), {.name = "camera", .first = "projection"}};
+    for (const char* name : {"sky", "far_sky", "light", "picture", "object"}) rows.push_back({.name = name});
+    rows.push_back(zoom_row());
+    rows.push_back(split_row());
+    rows.push_back(disc_row());
+    rows.push_back(medium_row());
+    rows.push_back(path_row());
+    rows.push_back(spot_row());
+    for (const BodyKind* kind : body_kinds()) rows.push_back(body_row(*kind));
+    return rows;
 }
 
 using SectionVisit = std::function<void(const Section&, const std::string& label, const Scene& holder)>;

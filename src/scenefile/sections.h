@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,15 +26,15 @@ struct SectionList {
     Scene (*alone)(const Scene&, std::size_t place) = nullptr;  // a scene that has only this one
 };
 
-// The spacetime of a section that names one. Made from [](auto& s) -> auto& { return s.spacetime; }.
+// The spacetime of a section that names one. Made from [](auto& s) { return &s.spacetime; }.
 class SpacetimePart {
 public:
     constexpr SpacetimePart() = default;
     template <class F>
-    requires std::is_reference_v<std::invoke_result_t<F, Scene&>>
+    requires std::is_pointer_v<std::invoke_result_t<F, Scene&>>
     constexpr SpacetimePart(F)  // NOLINT: implicit on purpose
-        : read_([](const Scene& s) -> const SpacetimeSpec& { return F{}(s); }),
-          write_([](Scene& s) -> SpacetimeSpec& { return F{}(s); }) {}
+        : read_([](const Scene& s) -> const SpacetimeSpec& { return *F{}(s); }),
+          write_([](Scene& s) -> SpacetimeSpec& { return *F{}(s); }) {}
     explicit operator bool() const { return read_ != nullptr; }
     const SpacetimeSpec& of(const Scene& scene) const { return read_(scene); }
     SpacetimeSpec& of(Scene& scene) const { return write_(scene); }

@@ -1,5 +1,5 @@
 // The shader core as C++: the same source text as the fragment shader, in double (core64) and in float (core32), with the real
-// table. Three witnesses tell where an error comes from: reference - core64 is table error, core64 - core32 float error,
+// table. Three tracers tell where an error comes from: reference - core64 is table error, core64 - core32 float error,
 // core32 - GL driver error.
 #pragma once
 #include <span>

@@ -13,7 +13,7 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
     std::vector<Pass> list;
     const Output light = develop ? Output::kLinear : output;
     const bool disc = effects.contains(Effect::kDisc), find_bodies = tiles >= Tiles::kBodies && has_tiles(effects),
-               find_disc = tiles >= Tiles::kTraced && tiles_tell_disc(effects),
+               find_disc = tiles >= Tiles::kTraced && tiles_classify_disc(effects),
                interpolated =
                    tiles >= Tiles::kInterpolated && !effects.contains(Effect::kSamples) && interpolates(effects);
     if (interpolated || find_disc)
@@ -30,7 +30,7 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
         if (find_disc || !disc)
             list.push_back({Stage::kSkyTiles, light, "tiles of sky",
                             "every pixel traces its ray; neither disc nor bodies are looked for"});
-        if (find_disc && tiles_tell_full_disc(effects))
+        if (find_disc && tiles_classify_full_disc(effects))
             list.push_back({Stage::kFullDisc, light, "tiles full of disc",
                             "every pixel traces its ray to the crossing where it meets the disc"});
         if (disc) list.push_back({Stage::kDiscTiles, light, "tiles of disc", "the same, and the disc"});

@@ -167,8 +167,8 @@ std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Ou
     if (stage == Stage::kRays) defines.emplace_back("EVERY_CROSSING");
     if (finds_tiles(stage) && has_tiles(effects)) defines.emplace_back("TILES_OF_BODIES");
     if (stage == Stage::kTilesTraced || stage == Stage::kTilesInterpolated) {
-        if (tiles_tell_disc(effects)) defines.emplace_back("TILES_OF_DISC");
-        if (tiles_tell_full_disc(effects)) defines.emplace_back("TILES_OF_FULL_DISC");
+        if (tiles_classify_disc(effects)) defines.emplace_back("TILES_OF_DISC");
+        if (tiles_classify_full_disc(effects)) defines.emplace_back("TILES_OF_FULL_DISC");
     }
     if (stage == Stage::kTilesInterpolated) defines.emplace_back("TILES_INTERPOLATED");
     if (stage == Stage::kBodyTiles) defines.emplace_back("TILES_WITH_BODIES");

@@ -1,4 +1,4 @@
-// What the viewer shows, and what the hands have changed of it. Panels and keys edit `scene`; the viewer prepares it.
+// What the viewer shows, and what the user has changed of it. Panels and keys edit `scene`; the viewer prepares it.
 #pragma once
 #include <functional>
 #include <memory>

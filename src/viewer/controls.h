@@ -1,4 +1,4 @@
-// Hands to camera: drags, wheel, flight keys and gamepad.
+// Input to camera: drags, wheel, flight keys and gamepad.
 #pragma once
 #include <array>
 #include <optional>

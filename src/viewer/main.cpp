@@ -32,7 +32,7 @@ constexpr const char* kAbout =
 
 constexpr const char* kSceneNames = "nullscope scenes | cut -d\" \" -f1";  // for completion
 
-constexpr const char* kHands =
+constexpr const char* kControls =
     "\nIn the window: drag to look around, wheel for the distance, Z and wheel\nto zoom into the photon ring, W A S D "
     "Space C to fly, Q E to roll, R returns to "
     "the\nscene's camera, H shows the error of every pixel, O colours image orders, Tab hides the panels, Ctrl+Tab "
@@ -43,7 +43,7 @@ constexpr const char* kHands =
 
 Command program_of(viewer::ViewerOptions& options, std::string& size, std::string& manual) {
     Command program("nullscope-viewer", kAbout);
-    program.set_footer(kHands);
+    program.set_footer(kControls);
     program.set_version(kVersionText);
     program.add_option("scene", &options.scene, "Scene file, or the name of a built-in scene (default: the gallery)");
     program.add_flag("--gallery", &options.gallery, "Start with the gallery, before the scene");

@@ -36,7 +36,7 @@ Painter::Painter(Window& window, bool threads, std::function<void()> news) : new
     if (context_ != nullptr)
         thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
     else
-        own_ = std::make_unique<Workshop>();
+        own_ = std::make_unique<FrameRenderer>();
 }
 
 void Painter::ask(PaintJob job) {
@@ -107,7 +107,7 @@ TexturesInUse Painter::textures_in_use() const {
 void Painter::work(const std::stop_token& stop) {
     try {
         make_current(context_);
-        Workshop workshop;
+        FrameRenderer frame_renderer;
         std::unique_lock lock(mutex_);
         while (wake_.wait(lock, stop, [this] { return job_ || order_; }), !stop.stop_requested()) {
             const auto job = std::exchange(job_, std::nullopt);
@@ -115,17 +115,17 @@ void Painter::work(const std::stop_token& stop) {
             at_work_ = true;
             lock.unlock();
             if (job)
-                do_job(workshop, *job);
+                do_job(frame_renderer, *job);
             else
-                do_measure(workshop, *order);
+                do_measure(frame_renderer, *order);
             lock.lock();
             at_work_ = false;
             lock.unlock();
             news_();
             // At rest, what makes the next pictures cheaper; a job waits for one program at most.
-            while (job && !interrupted() && workshop.build_next()) {
+            while (job && !interrupted() && frame_renderer.build_next()) {
             }
-            if (job && !interrupted()) workshop.warm_up(*job, textures_in_use(), quiet_watch());
+            if (job && !interrupted()) frame_renderer.warm_up(*job, textures_in_use(), quiet_watch());
             lock.lock();
         }
     } catch (...) {
@@ -150,12 +150,12 @@ DrawWatch Painter::quiet_watch() const {
     return {[this] { return interrupted(); }, [](const PaintProgress&) {}};
 }
 
-void Painter::do_job(Workshop& workshop, const PaintJob& job) {
-    if (job.rays) return publish(workshop.rays(job), true);
-    const double coarseness = own_ != nullptr ? 1.0 : workshop.coarseness(job);
-    const bool first = coarseness > 1.0 || (own_ == nullptr && job.coarse_first && workshop.drafts(job));
+void Painter::do_job(FrameRenderer& frame_renderer, const PaintJob& job) {
+    if (job.rays) return publish(frame_renderer.rays(job), true);
+    const double coarseness = own_ != nullptr ? 1.0 : frame_renderer.coarseness(job);
+    const bool first = coarseness > 1.0 || (own_ == nullptr && job.coarse_first && frame_renderer.drafts(job));
     if (first) {
-        auto coarse = workshop.picture(job, coarseness, true, textures_in_use(), watch(true));
+        auto coarse = frame_renderer.picture(job, coarseness, true, textures_in_use(), watch(true));
         if (!coarse) return;
         const bool good = static_cast<bool>(coarse->ready);
         publish(std::move(*coarse), !good);
@@ -167,7 +167,7 @@ void Painter::do_job(Workshop& workshop, const PaintJob& job) {
         const std::lock_guard lock(mutex_);
         gives_up_ = !job_;
     }
-    if (auto whole = workshop.picture(job, 1, false, textures_in_use(), watch(!may_be_left)))
+    if (auto whole = frame_renderer.picture(job, 1, false, textures_in_use(), watch(!may_be_left)))
         publish(std::move(*whole), true);
 }
 
@@ -180,18 +180,18 @@ bool Painter::goes_on() {
 }
 
 // With and without in turn, so that what else the machine does falls on both.
-void Painter::do_measure(Workshop& workshop, const PaintJob& order) {
-    const AlikeTiles alike(workshop.renderer());
+void Painter::do_measure(FrameRenderer& frame_renderer, const PaintJob& order) {
+    const AlikeTiles alike(frame_renderer.renderer());
     EffectTimes times;
     const auto publish_times = [&] {
         const std::lock_guard lock(mutex_);
         times_ = times;
     };
     const DrawWatch watch = quiet_watch();
-    Renderer& renderer = workshop.renderer();
+    Renderer& renderer = frame_renderer.renderer();
     renderer.set_method(order.method);
     if (!renderer.prepare(order.scene)) return;
-    Renderer& other = workshop.other();
+    Renderer& other = frame_renderer.other();
     const gl::Target target = gl::make_target(order.scene.camera.width, order.scene.camera.height, gl::Format::kRgba8);
     for (const Effect effect : renderer.tables().effects().list()) {
         const auto without = without_effect(order.scene, effect);
@@ -204,7 +204,7 @@ void Painter::do_measure(Workshop& workshop, const PaintJob& order) {
         double other_ray_ms = 0.0;
         std::vector<double> whole, rest;
         const auto time_both = [&] {
-            const auto with = draw_in_bands(renderer, target, workshop.ray_ms(), watch);
+            const auto with = draw_in_bands(renderer, target, frame_renderer.ray_ms(), watch);
             const auto less = with ? draw_in_bands(other, target, other_ray_ms, watch) : std::nullopt;
             if (less) whole.push_back(with->draw_ms), rest.push_back(less->draw_ms);
             return less.has_value();
@@ -220,7 +220,7 @@ void Painter::do_measure(Workshop& workshop, const PaintJob& order) {
         news_();
     }
     times.complete = true;
-    workshop.drop_other();  // its textures with it
+    frame_renderer.drop_other();  // its textures with it
     publish_times();
 }
 

@@ -16,8 +16,8 @@
 #include <optional>
 #include <thread>
 
+#include "viewer/frame_renderer.h"
 #include "viewer/window.h"
-#include "viewer/workshop.h"
 
 namespace nullscope::viewer {
 
@@ -49,8 +49,8 @@ private:
         return member;
     }
     void work(const std::stop_token& stop);
-    void do_job(Workshop& workshop, const PaintJob& job);
-    void do_measure(Workshop& workshop, const PaintJob& order);
+    void do_job(FrameRenderer& frame_renderer, const PaintJob& job);
+    void do_measure(FrameRenderer& frame_renderer, const PaintJob& order);
     void publish(Painting painting, bool last);
     DrawWatch watch(bool whole_job);
     DrawWatch quiet_watch() const;  // of what nobody waits for
@@ -71,7 +71,7 @@ private:
     std::optional<EffectTimes> times_;  // that were not taken yet
     std::exception_ptr failure_;
     int drawn_by_caller_ = 0;
-    std::unique_ptr<Workshop> own_;  // without a thread
+    std::unique_ptr<FrameRenderer> own_;  // without a thread
     // Last: ends before what it uses; waits for a driver that compiles, a sky that is built, an image that is read.
     std::jthread thread_;
 };

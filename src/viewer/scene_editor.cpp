@@ -54,7 +54,7 @@ std::string shown(const SceneKey& key, const KeyValue& value) {
         case KeyType::kWhole: return fmt::format("{}", value.width);
         case KeyType::kSize: return fmt::format("{} {}", value.width, value.height);
         case KeyType::kChoice: return fmt::format("{}", value.choice);
-        case KeyType::kImage: return value.path.string();
+        case KeyType::kFile: return value.path.string();
         default: return value.text;
     }
 }
@@ -195,7 +195,7 @@ bool field(const SceneKey& key, KeyValue& value, bool escape, const std::string&
             if (key.key == "name" && !key.section.empty()) std::ranges::replace(value.text, ' ', '-');  // of a body
             return true;
         }
-        case KeyType::kImage: {
+        case KeyType::kFile: {
             std::string path = value.path.string();
             if (!text_field("##value", path)) return false;
             value.path = path.empty() ? std::filesystem::path() : std::filesystem::absolute(path);

@@ -301,7 +301,7 @@ bool Viewer::fit_to_window() {
     return changed;
 }
 
-// What was shown is shown on, unless the hands have gone on meanwhile.
+// What was shown is shown on, unless there was further input meanwhile.
 void Viewer::refuse(const Painting& painting) {
     if (painting.job.rays || picture_due_) return;
     const CameraSpec now = std::exchange(view_.scene, shown_.scene).camera;

@@ -1,4 +1,4 @@
-// The viewer itself: window, panels, hands and renderer, and the loop that draws when there is something to draw.
+// The viewer itself: window, panels, input and renderer, and the loop that draws when there is something to draw.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -62,7 +62,7 @@ private:
     float overlays(float top, float bottom);   // where they end at the picture's top
     void left_corner(float bottom);            // of the picture
     bool panels(const Input& input);           // true if they changed the scene
-    bool move(const Input& input, double dt);  // by hands, fall and clock: true if something moved
+    bool move(const Input& input, double dt);  // by input, fall and clock: true if something moved
     void follow_changes(bool changed);
     void follow_times();                                        // messages that end, progress that goes on
     double wait_time() const;                                   // for events; 0: do not wait
@@ -74,7 +74,7 @@ private:
     bool fit_to_window();                                       // true if the picture's size changed
     void ask();   // for what is due: a picture of view_, ray data or the effects' times
     bool take();  // what was asked for if it is there: true if there is something new to show
-    void adopt(Painting painting);
+    void show_frame(Painting painting);
     void refuse(const Painting& painting);
     void measure_effects(bool still);
     void probe(const Input& input);
@@ -145,7 +145,7 @@ private:
     int pictures_ = 0;              // until now
     bool picture_due_ = true;       // view_ has changed since the last was asked for
     bool error_stays_ = false;      // view_.error is of the last change, which was undone: until the next one
-    bool coarse_wanted_ = true;     // a picture soon rather than a whole one: hands are at work
+    bool coarse_wanted_ = true;     // a picture soon rather than a whole one: the user moves it
     bool save_due_ = false;         // F12, while the picture was not whole
     std::optional<Error> refusal_;  // of the first scene: there is nothing to show
     gl::Info info_;
@@ -192,7 +192,7 @@ private:
     double message_until_ = 0.0;
     int frames_ = 0, frames_due_ = 3;
     bool moving_ = false, waited_ = true;
-    double stepped_at_ = 0.0, drawn_at_ = 0.0, adopted_at_ = 0.0, rate_shown_at_ = 0.0, asked_at_ = 0.0;
+    double stepped_at_ = 0.0, drawn_at_ = 0.0, shown_at_ = 0.0, rate_shown_at_ = 0.0, asked_at_ = 0.0;
     // When the input came that waited longest: for the next picture, for the one asked for, for the one to be shown for the first time.
     double turn_began_at_ = 0.0, due_at_ = 0.0, asked_due_at_ = 0.0;
     std::optional<double> news_due_at_;

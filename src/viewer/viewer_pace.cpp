@@ -87,8 +87,8 @@ void Viewer::present() {
 // Pictures that follow each other without a wait tell a rate.
 void Viewer::measure_rate() {
     constexpr double kMemory = 0.9;
-    const double now = seconds(), between = now - adopted_at_;
-    adopted_at_ = now;
+    const double now = seconds(), between = now - shown_at_;
+    shown_at_ = now;
     frame_s_ = !moving_ ? 0.0 : frame_s_ > 0.0 ? kMemory * frame_s_ + (1.0 - kMemory) * between : between;
     if (now - rate_shown_at_ < kRateTime && moving_) return;
     rate_shown_at_ = now;

@@ -84,7 +84,7 @@ bool Viewer::take() {
         if (painting->rays_b) orders_[1].take_rays(painting->job.side_b->scene, *painting->rays_b);
         accuracy_->take_rays(painting->job.scene, std::move(*painting->rays));
     } else if (painting->ready)
-        adopt(std::move(*painting));
+        show_frame(std::move(*painting));
     else if (picture_.texture == 0 && !picture_due_)
         refusal_ = painting->ready.error();
     else
@@ -92,7 +92,7 @@ bool Viewer::take() {
     return true;
 }
 
-void Viewer::adopt(Painting painting) {
+void Viewer::show_frame(Painting painting) {
     if (asked_.scene.name != shown_.scene.name) window_->set_title(asked_.scene.name + kTitle);
     if (painting.job.method != picture_.job.method ||
         effect_set(required_effects(painting.job.scene)) != effect_set(required_effects(picture_.job.scene)) ||

@@ -35,7 +35,7 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     if (effects.contains(Effect::kSurface)) names.insert("surface clearance");
     if (effects.contains(Effect::kDiscImage)) names.insert("disc image");
     if (effects.contains(Effect::kThermalDisc)) names.insert("disc flow");
-    if (shades_heat(effects)) names.insert("black body");
+    if (uses_black_body(effects)) names.insert("black body");
     if (effects.contains(Effect::kPointStars)) names.insert({"stars", "black body"});
     if (effects.contains(Effect::kPointStars) && lensing) names.insert("star lens");
     if (effects.contains(Effect::kSky)) names.insert("sky");

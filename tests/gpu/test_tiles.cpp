@@ -96,7 +96,7 @@ TEST_CASE("tiles: a picture in tiles is the picture" * test::costly()) {
         const Scene scene =
             sized(info.name, test::by_depth(163, 323, 323), test::by_depth(91, 179, 179));  // the last tiles are cut
         const EffectSet effects = effect_set(required_effects(scene));
-        if (!has_tiles(effects) && !tiles_tell_disc(effects)) continue;
+        if (!has_tiles(effects) && !tiles_classify_disc(effects)) continue;
         const bool known = !seen.insert(tile_kind(scene, effects)).second;
         if (test::depth() == test::Depth::kQuick && (known || !selection.takes_next())) continue;
         ++scenes;

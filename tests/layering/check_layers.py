@@ -35,8 +35,8 @@ PACKAGES = [
     ("nlohmann-json", re.compile(r"^nlohmann/"), {"cli", "command", "bench"}),
     ("Boost", re.compile(r"^boost/"), {"reference"}),
 ]
-# The independent witness shares no geodesic code with what it judges, not even through a third module.
-WITNESS, WITNESS_AVOIDS = "reference", {"shadercore", "table", "gl", "shaderlib", "render"}
+# The reference shares no geodesic code with what it judges, not even through a third module.
+REFERENCE, REFERENCE_AVOIDS = "reference", {"shadercore", "table", "gl", "shaderlib", "render"}
 # Shader files may be seen by C++ in these modules only.
 SHADER_READERS = {"shared": {"shadercore", "gl", "render"}, "*": {"shadercore"}}
 # asin and acos of Mesa's software driver are off by up to 3.9e-4 rad: use atan(sqrt((1 - x) * (1 + x)), x).
@@ -109,7 +109,7 @@ def reachable(allowed, start):
 
 
 def check_list(layer_of, allowed):
-    """The list by itself: known names, no edge upwards, no cycle, the witness apart."""
+    """The list by itself: known names, no edge upwards, no cycle, the reference apart."""
     for module in sorted(allowed):
         for other in sorted(allowed[module]):
             if other not in allowed:
@@ -118,8 +118,8 @@ def check_list(layer_of, allowed):
                 yield f"layers.txt: {module} (layer {layer_of[module]}) names {other} of the higher layer {layer_of[other]}"
         if module in reachable(allowed, module):
             yield f"layers.txt: {module} reaches itself: the list is cyclic"
-    for other in sorted(reachable(allowed, WITNESS) & WITNESS_AVOIDS):
-        yield f"layers.txt: {WITNESS} reaches {other}, but it is the independent witness"
+    for other in sorted(reachable(allowed, REFERENCE) & REFERENCE_AVOIDS):
+        yield f"layers.txt: {REFERENCE} reaches {other}, but it is the independent reference"
 
 
 def check_folders(root, allowed):

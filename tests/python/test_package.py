@@ -129,7 +129,7 @@ class Rays(Test):
         with warnings.catch_warnings(record=True) as said:
             warnings.simplefilter("always")
             found = ns.trace("sky-only", {**some_rays(2), "r": np.array([5.0, 2e9])}, "core64")
-        self.assertEqual(found["fate"].tolist()[1], ns.Fate.LEFT_OUT)
+        self.assertEqual(found["fate"].tolist()[1], ns.Fate.UNSUPPORTED)
         self.assertIn("1 of 2 rays left empty", str(said[0].message))
 
     def test_deflection(self):
@@ -149,6 +149,9 @@ class Numbers(Test):
         self.assertAlmostEqual(hole.photon_orbit, 1.5, places=14)
         self.assertAlmostEqual(hole.critical_impact, 1.5 * 3 ** 0.5, places=14)
         self.assertAlmostEqual(hole.circular_orbit(3.0)["energy"], (8 / 9) ** 0.5, places=14)
+        orbit = hole.circular_orbit(3.0)
+        self.assertAlmostEqual(orbit["ut_up"], 2 ** 0.5, places=14)   # u^t = 1/sqrt(1 - 3 M/r), M = 1/2
+        self.assertEqual(orbit["u_t"], orbit["ut_up"])                # its name before
         self.assertAlmostEqual(hole.shadow(10.0), np.arcsin(1.5 * 3 ** 0.5 / 10 * 0.9 ** 0.5), places=14)
         self.assertAlmostEqual(ns.Spacetime("kerr", spin=0.9).horizon, 0.5 + (0.25 - 0.45 ** 2) ** 0.5, places=14)
         product = KERR.metric(3.0, 1.0) @ KERR.inverse_metric(3.0, 1.0)

@@ -18,7 +18,7 @@ using reference::KerrStart;
 
 constexpr double kSpin = 0.9;
 constexpr double kKerrVectorsTolerance =
-    1e-10;  // times the condition number: what the project promises for this witness
+    1e-10;  // times the condition number: what the project promises for the reference
 // Of the inputs, for the condition number: halfway between rounding and the nearest critical ray.
 constexpr double kNudge = 1e-10;
 constexpr int kCrossings = 2;

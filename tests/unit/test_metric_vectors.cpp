@@ -15,7 +15,7 @@ namespace {
 using namespace nullscope;
 
 constexpr double kMetricVectorsTolerance =
-    1e-11;  // times the condition number: what the project promises for its witness
+    1e-11;  // times the condition number: what the project promises for the reference
 
 using Trace = VectorTrace;
 using Output = VectorOutput;

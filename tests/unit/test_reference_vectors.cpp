@@ -16,7 +16,7 @@ namespace {
 using namespace nullscope;
 
 // Allowed relative error in units of the condition number. Double arithmetic leaves about 1e-15 after a chain of ten
-// elliptic operations; 1e-11 is what the project promises for its witness.
+// elliptic operations; 1e-11 is what the project promises for the reference.
 constexpr double kReferenceVectorsTolerance = 1e-11;
 // What is reached (1.6e-15 over these rows and 3000 others), with a margin of 6 for other compilers and mathematical
 // libraries.

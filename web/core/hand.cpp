@@ -1,4 +1,4 @@
-// What hands do to the camera, and the fall after it was let go. Places are pixels of the picture, from its top left corner.
+// What input does to the camera, and the fall after it was let go. Places are pixels of the picture, from its top left corner.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -101,7 +101,7 @@ NULLSCOPE_EXPORT(keys) bool keys() {
     const auto file = toml_of(scene_file_text(session().scene, folder()), "scene");
     if (!file) return answer(file.error());
     constexpr const char* kTypes[] = {"number", "velocity", "point", "colour", "size",   "whole",
-                                      "choice", "text",     "image", "metric", "formula"};  // by KeyType
+                                      "choice", "text",     "file",  "metric", "formula"};  // by KeyType
     std::vector<std::string> list;
     std::map<std::string_view, Scene, std::less<>> holders;  // by the section, of those that are there
     for_each_section(session().scene, [&](const Section& section, const std::string&, const Scene& holder) {

@@ -1,4 +1,4 @@
-// What the page shows: a scene, and what hands have changed of it.
+// What the page shows: a scene, and what the user has changed of it.
 #pragma once
 #include "scene/scene.h"
 #include "studio/fall.h"

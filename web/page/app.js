@@ -96,7 +96,7 @@ function markScene() {
 
 // ---- what is shown, and the address, which is a link to it
 
-const opened = { name: null, link: null };  // the name of a scene that ships, and its link before hands changed it
+const opened = { name: null, link: null };  // the name of a scene that ships, and its link before the user changed it
 async function open(what) {
   get("heat").hidden = true;
   setClock(0);

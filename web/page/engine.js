@@ -152,7 +152,7 @@ export class Engine {
     return this.core.answer();
   }
 
-  // ---- hands
+  // ---- input
 
   grab(x, y) { this.core.exports.grab(...this.#scaled(x, y)); }
   look(x, y) { this.core.exports.look(...this.#scaled(x, y)); this.touch(); }

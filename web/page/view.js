@@ -1,4 +1,4 @@
-// <nullscope-view scene="kerr">: a picture that hands move, without controls. scene: the name of a scene that ships, a scene file's text, or its
+// <nullscope-view scene="kerr">: a picture that the user moves, without controls. scene: the name of a scene that ships, a scene file's text, or its
 // line, scene = { ... }. Events: "drawn", "rest" (the picture is whole and nothing moves), "scene" (another one, or changed), "hand" (somebody
 // moves the camera), "lost", "restored", "failed"; values are in event.detail. Children lie over the picture.
 
@@ -227,7 +227,7 @@ export class NullscopeView extends HTMLElement {
     if (call !== "grab") this.#event("hand", {});
   }
 
-  // ---- hands
+  // ---- input
 
   #listen() {
     const on = (name, act, options) => this.addEventListener(name, (event) => this.drawn && act(event), options);

@@ -1,4 +1,4 @@
-#include "viewer/workshop.h"
+#include "viewer/frame_renderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,14 +50,14 @@ std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& tar
     return DrawTimes{1e3 * (seconds() - start) - bands.compile_ms(), bands.compile_ms()};
 }
 
-Workshop::Workshop() { prepare_flight(renderer_); }
+FrameRenderer::FrameRenderer() { prepare_flight(renderer_); }
 
-bool Workshop::build_next() {
+bool FrameRenderer::build_next() {
     return renderer_.build_next() || (right_ != nullptr && right_->build_next()) ||
            (side_b_ != nullptr && side_b_->build_next());
 }
 
-void Workshop::warm_up(const PaintJob& job, const TexturesInUse& avoid, const DrawWatch& watch) {
+void FrameRenderer::warm_up(const PaintJob& job, const TexturesInUse& avoid, const DrawWatch& watch) {
     if (job.side_b != nullptr && side_b_ != nullptr) side_b_->warm_up(*job.side_b, avoid, watch);
     if (warm_ == std::pair(effects_, method_) || job.rays) return;
     const double ray_ms = ray_ms_, picture_ms = picture_ms_, compile_ms = compile_ms_;
@@ -68,7 +68,7 @@ void Workshop::warm_up(const PaintJob& job, const TexturesInUse& avoid, const Dr
 }
 
 // Of a picture in motion, both sides together; 0: not known.
-double Workshop::ray_picture_ms(const PaintJob& job) const {
+double FrameRenderer::ray_picture_ms(const PaintJob& job) const {
     Scene once = job.scene;
     once.picture.samples = 1;  // of pictures in motion
     EffectSet effects = effect_set(required_effects(once));
@@ -79,7 +79,7 @@ double Workshop::ray_picture_ms(const PaintJob& job) const {
     return picture_ms_ > 0.0 && other > 0.0 ? picture_ms_ + other : 0.0;
 }
 
-double Workshop::coarseness(const PaintJob& job) {
+double FrameRenderer::coarseness(const PaintJob& job) {
     if (!job.coarse_first || job.rays) return 1.0;
     const CameraSpec& camera = job.scene.camera;
     const double ray_ms = ray_picture_ms(job);
@@ -96,7 +96,7 @@ double Workshop::coarseness(const PaintJob& job) {
     return std::clamp(times, 1.0, std::max(most, 1.0));
 }
 
-Status Workshop::prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search) {
+Status FrameRenderer::prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search) {
     renderer_.search_stars(search);
     renderer_.refine(!search.quick);  // by the same programs
     renderer_.set_method(job.method);
@@ -117,7 +117,7 @@ Status Workshop::prepare(const Scene& scene, const PaintJob& job, const StarFiel
     return right_->prepare(split_->right);
 }
 
-std::optional<DrawTimes> Workshop::draw(const gl::Target& target, const DrawWatch& watch) {
+std::optional<DrawTimes> FrameRenderer::draw(const gl::Target& target, const DrawWatch& watch) {
     if (!split_) return draw_in_bands(renderer_, target, ray_ms_, watch);
     DrawTimes sum;
     int x = 0;
@@ -136,13 +136,13 @@ std::optional<DrawTimes> Workshop::draw(const gl::Target& target, const DrawWatc
     return sum;
 }
 
-std::optional<Painting> Workshop::picture(const PaintJob& job, double coarseness, bool first,
-                                          const TexturesInUse& avoid, const DrawWatch& watch) {
+std::optional<Painting> FrameRenderer::picture(const PaintJob& job, double coarseness, bool first,
+                                               const TexturesInUse& avoid, const DrawWatch& watch) {
     const bool b_in_use = avoid[1] != 0 || avoid[3] != 0;
     if (job.side_b == nullptr && !b_in_use) side_b_.reset();
     auto painting = one_picture(job, coarseness, first, avoid, watch);
     if (!painting || !painting->ready || job.side_b == nullptr) return painting;
-    if (side_b_ == nullptr) side_b_ = std::make_unique<Workshop>();
+    if (side_b_ == nullptr) side_b_ = std::make_unique<FrameRenderer>();
     auto other = side_b_->one_picture(*job.side_b, coarseness, first, avoid, watch);
     if (!other) return std::nullopt;
     if (!other->ready) {
@@ -158,8 +158,8 @@ std::optional<Painting> Workshop::picture(const PaintJob& job, double coarseness
     return painting;
 }
 
-std::optional<Painting> Workshop::one_picture(const PaintJob& job, double coarseness, bool first,
-                                              const TexturesInUse& avoid, const DrawWatch& watch) {
+std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double coarseness, bool first,
+                                                   const TexturesInUse& avoid, const DrawWatch& watch) {
     if (watch.give_up()) return std::nullopt;
     Painting painting;
     painting.job = job;
@@ -190,20 +190,20 @@ std::optional<Painting> Workshop::one_picture(const PaintJob& job, double coarse
     return painting;
 }
 
-Painting Workshop::rays(const PaintJob& job) {
+Painting FrameRenderer::rays(const PaintJob& job) {
     Painting painting;
     painting.job = job;
     painting.ready = prepare(job.scene, job, {});
     if (painting.ready) painting.rays = renderer_.ray_data();
     if (painting.ready && job.side_b != nullptr) {
-        if (side_b_ == nullptr) side_b_ = std::make_unique<Workshop>();
+        if (side_b_ == nullptr) side_b_ = std::make_unique<FrameRenderer>();
         painting.rays_b = side_b_->rays(*job.side_b).rays;
     }
     add_facts(painting);
     return painting;
 }
 
-void Workshop::add_facts(Painting& painting) {
+void FrameRenderer::add_facts(Painting& painting) {
     painting.notes = renderer_.take_notes();
     painting.programs = renderer_.picture_programs();
     painting.compile_ms = compile_ms_;
@@ -211,7 +211,7 @@ void Workshop::add_facts(Painting& painting) {
     painting.rows_ms = renderer_.tables().path().rows_ms;
 }
 
-const gl::Target& Workshop::target(int width, int height, const TexturesInUse& avoid) {
+const gl::Target& FrameRenderer::target(int width, int height, const TexturesInUse& avoid) {
     gl::Target* free = nullptr;
     for (gl::Target& each : targets_) {
         const unsigned id = each.colours.empty() ? 0 : each.colours.front().id();

@@ -68,9 +68,9 @@ struct DrawTimes {
 std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, double& ray_ms,
                                        const DrawWatch& watch);
 
-class Workshop {
+class FrameRenderer {
 public:
-    Workshop();
+    FrameRenderer();
 
     // How many times smaller than the job's, in each direction, a picture in motion should be to hold the frame rate; 1: as large.
     double coarseness(const PaintJob& job);
@@ -108,10 +108,10 @@ private:
     void add_facts(Painting& painting);
 
     Renderer renderer_;
-    std::unique_ptr<Renderer> right_;   // of a split screen
-    std::unique_ptr<Workshop> side_b_;  // of comparisons
-    std::unique_ptr<Renderer> other_;   // while effects are measured
-    std::optional<Halves> split_;       // that is prepared
+    std::unique_ptr<Renderer> right_;        // of a split screen
+    std::unique_ptr<FrameRenderer> side_b_;  // of comparisons
+    std::unique_ptr<Renderer> other_;        // while effects are measured
+    std::optional<Halves> split_;            // that is prepared
     std::array<gl::Target, 2> halves_;
     std::array<double, 2> half_ray_ms_{};
     // Shown, waiting to be shown, drawn to; one more, as coarse and whole take turns.
