@@ -60,6 +60,16 @@ std::array<double, n + 1> chebyshev_integral(const std::array<double, n>& terms)
     return sum;
 }
 
+// Of the derivative.
+template <std::size_t n>
+std::array<double, n> chebyshev_slope(const std::array<double, n>& terms) {
+    std::array<double, n> slope{};
+    for (std::size_t k = n - 1; k > 0; --k)
+        slope[k - 1] = (k + 1 < n ? slope[k + 1] : 0.0) + 2.0 * static_cast<double>(k) * terms[k];
+    slope[0] *= 0.5;
+    return slope;
+}
+
 // Functions on [low, high] as sums on equal pieces.
 template <std::size_t kFunctions, std::size_t n>
 class ChebyshevPieces {

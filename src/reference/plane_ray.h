@@ -89,11 +89,19 @@ public:
               const Tetrad& seen, const Tetrad& moving);
     // The orbit of a unit view direction (r, theta, phi) of the local frame.
     std::unique_ptr<Orbit> orbit_of(Vec3 view) const;
+    // The unit view direction of a photon that comes from there, along the camera's right, up and backward; of any length.
+    Vec3 view(Vec3 direction) const { return view_of(photon(direction)).direction; }
     // Its pixel position; nothing for one behind the camera.
     std::optional<std::array<double, 2>> position(Vec3 view) const;
     const PlaneRays* in_plane() const override { return this; }
 
 private:
+    struct View {
+        LocalRay local;
+        Vec3 direction;
+        long double across, frequency;
+    };
+    View view_of(const Photon& p) const;
     RayPtr trace(const Photon& p) const override;
     RainOrbit start_of(const LocalRay& local) const;
 

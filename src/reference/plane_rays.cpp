@@ -245,12 +245,19 @@ RainOrbit PlaneRays::start_of(const LocalRay& local) const {
                       : RainOrbit{metric_.from_static(local), 1 / (light_.lensing ? lapse_ : 1)};
 }
 
-RayPtr PlaneRays::trace(const Photon& p) const {
+PlaneRays::View PlaneRays::view_of(const Photon& p) const {
     // The photon is null: its frequency in the local frame is the length of its spatial part.
     const long double across = std::sqrt(p[2] * p[2] + p[3] * p[3]),
                       frequency = std::sqrt(p[1] * p[1] + across * across);
     const LocalRay local{camera_.r, static_cast<double>(-p[1] / frequency), static_cast<double>(across / frequency)};
-    const Vec3 direction{local.n_r, static_cast<double>(-p[2] / frequency), static_cast<double>(-p[3] / frequency)};
+    return {local,
+            {local.n_r, static_cast<double>(-p[2] / frequency), static_cast<double>(-p[3] / frequency)},
+            across,
+            frequency};
+}
+
+RayPtr PlaneRays::trace(const Photon& p) const {
+    const auto [local, direction, across, frequency] = view_of(p);
     RainOrbit start = start_of(local);
     // The photon moves along p: L_phi = r p^phi in the local tetrad, L_z = L_phi sin(theta), over E = frequency/start.g.
     const double scale = camera_.r * start.g / static_cast<double>(frequency);

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "observer/pose.h"
+#include "reference/chebyshev.h"
+#include "reference/plane_ray.h"
 #include "reference/root.h"
 #include "reference/seen_light.h"
 #include "scene/projection.h"
@@ -16,33 +19,81 @@ namespace nullscope::reference {
 namespace {
 
 constexpr int kOrders = 4;  // images that a picture has; the next is e^-pi dimmer, and some pixels of the shadow's rim
-constexpr double kStep_px = 1e-3;  // of the Jacobian's differences
-constexpr int kSamples = 8000;     // rays that bracket every image: the closer, the fewer are needed to find it
+constexpr double kStep_px = 1e-3;  // of the view's differences
+constexpr int kSamples =
+    7680;  // rays that bracket every image: the closer, the fewer are needed to find it; whole numbers a stretch
+// A ray's place: minus the logarithm of what its angle is off that of the last ray to the sky, in which the swept angle is smooth. Next to 0
+// terms fall as 7^-n on stretches of 1/2: what is swept is odd in alpha, and singular again at minus that ray.
+constexpr double kPlaces = 30, kSweptStretch = 0.5;
+constexpr double kSettled = 1e-14;  // rad: the last terms
+constexpr int kNewtonSteps = 4;     // from within 1/256: 1e-5, 1e-10, and roundings
 
 }  // namespace
 
-double StarImages::swept(double alpha) const {
-    const auto orbit = tracer_.plane_rays()->orbit_of({std::cos(alpha), std::sin(alpha), 0});
+double StarImages::swept(double inward) const {
+    const auto orbit = tracer_.plane_rays()->orbit_of({-std::cos(inward), std::sin(inward), 0});
     return orbit->fate() == Fate::kEscaped ? orbit->angle() : std::nan("");
 }
 
+double StarImages::off(double place) const { return (M_PI - last_) * std::exp(-place); }
+
 StarImages::StarImages(const FrameTracer& tracer, const Scene& scene, int orders)
     : tracer_(tracer), camera_(scene.camera), orders_(orders) {
-    double sky = 1e-12, lost = M_PI;  // the last ray that reaches the sky lies between
-    if (std::isnan(swept(M_PI - 1e-12))) {
-        for (int i = 0; i < 200 && lost - sky > 1e-16 * lost; ++i) {
+    double lost = 0, sky = M_PI - 1e-12;  // the last ray that reaches the sky lies between
+    if (std::isnan(swept(1e-12))) {
+        for (int i = 0; i < 200 && sky - lost > 1e-16 * sky; ++i) {
             const double middle = 0.5 * (sky + lost);
+            if (middle <= lost || middle >= sky) break;
             (std::isnan(swept(middle)) ? lost : sky) = middle;
         }
     } else {
-        sky = M_PI - 1e-12;
+        sky = 1e-12;
         orders_ = 1;
     }
+    last_ = sky;
     samples_.push_back({0.0, 0.0});
     for (int i = 0; i <= kSamples; ++i) {  // crowded towards the last ray
-        const double alpha = sky * (1 - std::pow(10.0, -13.0 * i / kSamples)), angle = swept(alpha);
-        if (angle > samples_.back().swept) samples_.push_back({alpha, angle});
+        const double place = kPlaces * i / kSamples, angle = swept_at(place);
+        if (angle > samples_.back().swept) samples_.push_back({place, angle});
     }
+    make_stretches();
+}
+
+void StarImages::make_stretches() {
+    for (double from = 0; from < kPlaces; from += kSweptStretch) {
+        Stretch& made = stretches_.emplace_back();
+        std::array<double, kTerms> values{};
+        for (std::size_t i = 0; i < kTerms; ++i)
+            values[i] = swept_at(from + 0.5 * kSweptStretch * (1 + chebyshev_places<kTerms>()[i]));
+        made.swept = chebyshev_terms(values), made.slope = chebyshev_slope(made.swept);
+        const double rounded = std::numeric_limits<double>::epsilon() * (1 + last_ / off(from + kSweptStretch));
+        made.settles = std::abs(made.swept[kTerms - 1]) + std::abs(made.swept[kTerms - 2]) <= kSettled + 8 * rounded;
+    }
+}
+
+// wanted: between the samples' least and most.
+StarImages::Found StarImages::find(double wanted) const {
+    const auto next = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, wanted,
+                                       [](double w, const Sample& s) { return w < s.swept; });
+    const Sample &low = *(next - 1), &high = *next;
+    const auto i =
+        std::min(static_cast<std::size_t>(0.5 * (low.place + high.place) / kSweptStretch), stretches_.size() - 1);
+    const Stretch& stretch = stretches_[i];
+    double place = low.place + (high.place - low.place) * (wanted - low.swept) / (high.swept - low.swept), slope = 0;
+    const auto in_stretch = [&] { return 2 * (place / kSweptStretch - static_cast<double>(i)) - 1; };
+    if (stretch.settles) {
+        for (int step = 0; step < kNewtonSteps; ++step) {
+            slope = chebyshev_sum(stretch.slope, in_stretch()) * 2 / kSweptStretch;
+            place = std::clamp(place - (chebyshev_sum(stretch.swept, in_stretch()) - wanted) / slope, low.place,
+                               high.place);
+        }
+    } else {
+        place = root_of([&](double at) { return swept_at(at) - wanted; }, low.place, high.place, low.swept - wanted,
+                        high.swept - wanted, 50);
+        const double step = 0.1 * (high.place - low.place);
+        slope = (swept_at(place + step) - swept_at(place - step)) / (2 * step);
+    }
+    return {last_ + off(place), -(M_PI - last_) * std::expm1(-place), slope / off(place)};
 }
 
 std::vector<StarImage> StarImages::of(Vec3 direction, double margin_px) const {
@@ -54,28 +105,30 @@ std::vector<StarImage> StarImages::of(Vec3 direction, double margin_px) const {
         const bool odd = order % 2 == 1;
         const double wanted = odd ? (order + 1) * M_PI - theta : order * M_PI + theta;
         if (!(wanted < samples_.back().swept)) break;
-        const auto next = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, wanted,
-                                           [](double w, const Sample& s) { return w < s.swept; });
-        const double alpha = root_of([&](double a) { return swept(a) - wanted; }, (next - 1)->alpha, next->alpha,
-                                     (next - 1)->swept - wanted, next->swept - wanted, 50),
-                     side = (odd ? -1 : 1) * std::sin(alpha) / std::max(across, 1e-300);
-        const auto position = tracer_.plane_rays()->position({std::cos(alpha), side * local.y, side * local.z});
+        const Found found = find(wanted);
+        const double sine = found.alpha < 1 ? std::sin(found.alpha) : std::sin(found.inward),
+                     side = (odd ? -1 : 1) * sine / std::max(across, 1e-300),
+                     sky_per_view = std::abs((sine > 0 ? across / sine : found.slope) * found.slope);
+        const auto position = tracer_.plane_rays()->position({-std::cos(found.inward), side * local.y, side * local.z});
         if (!position) continue;
         const double turn = turn_px(camera_);
-        add_image((*position)[0], (*position)[1], order, margin_px, images);
+        add_image((*position)[0], (*position)[1], order, margin_px, sky_per_view, images);
         for (const double by : {-turn, turn})
-            if (turn > 0) add_image((*position)[0] + by, (*position)[1], order, margin_px, images);
+            if (turn > 0) add_image((*position)[0] + by, (*position)[1], order, margin_px, sky_per_view, images);
     }
     return images;
 }
 
-// If the picture shows it, or its margin does.
-void StarImages::add_image(double x, double y, int order, double margin_px, std::vector<StarImage>& images) const {
+// If the picture shows it, or its margin does. sky_per_view: of solid angles.
+void StarImages::add_image(double x, double y, int order, double margin_px, double sky_per_view,
+                           std::vector<StarImage>& images) const {
     if (!(x > -margin_px && x < camera_.width + margin_px && y > -margin_px && y < camera_.height + margin_px)) return;
-    const auto sky = [&](double dx, double dy) { return tracer_.ray(x + dx, y + dy)->end_direction(); };
-    const Vec3 by_x = (sky(kStep_px, 0) - sky(-kStep_px, 0)) / (2 * kStep_px),
-               by_y = (sky(0, kStep_px) - sky(0, -kStep_px)) / (2 * kStep_px);
-    const double solid_angle = length(cross(by_x, by_y));
+    const auto view = [&](double dx, double dy) {
+        return tracer_.plane_rays()->view(pixel_direction(camera_, x + dx, y + dy));
+    };
+    const Vec3 by_x = (view(kStep_px, 0) - view(-kStep_px, 0)) / (2 * kStep_px),
+               by_y = (view(0, kStep_px) - view(0, -kStep_px)) / (2 * kStep_px);
+    const double solid_angle = length(cross(by_x, by_y)) * sky_per_view;
     if (std::isfinite(solid_angle) && solid_angle > 0)
         images.push_back({x, y, order, solid_angle, tracer_.ray(x, y)->g});
 }

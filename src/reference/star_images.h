@@ -1,6 +1,9 @@
 // All images of a point star in a frame, found another way than the renderer does: the angle of each ray by bracketing
-// the reference's own orbits, its light by the Jacobian of the frame's ray map, differenced numerically.
+// the reference's own orbits, between which the swept angle is a sum of Chebyshev's polynomials; its light by the Jacobians of the camera's
+// view, differenced numerically, and of that sum.
 #pragma once
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -22,20 +25,37 @@ class StarImages {
 public:
     // Images 0 ... orders - 1. Some milliseconds. tracer: of rays that stay in planes; outlives this.
     StarImages(const FrameTracer& tracer, const Scene& scene, int orders);
-    // Those in the frame or at most margin px beside it, by order; some 30 microseconds a star.
+    // Those in the frame or at most margin px beside it, by order; some 5 microseconds an image.
     std::vector<StarImage> of(Vec3 direction, double margin_px) const;
 
 private:
+    static constexpr std::size_t kTerms = 18;
     struct Sample {
-        double alpha, swept;
+        double place, swept;
     };
-    void add_image(double x, double y, int order, double margin_px, std::vector<StarImage>& images) const;
-    double swept(double alpha) const;  // NaN for rays that do not reach the sky
+    // By place, where its sum is exact but for the roundings of the angles: to 1e-13 and those.
+    struct Stretch {
+        bool settles = false;
+        std::array<double, kTerms> swept{}, slope{};
+    };
+    struct Found {
+        double inward, alpha;  // angles from inward and outward, each with its digits
+        double slope;          // of the swept angle by alpha
+    };
+    Found find(double wanted) const;
+    void add_image(double x, double y, int order, double margin_px, double sky_per_view,
+                   std::vector<StarImage>& images) const;
+    double off(double place) const;  // of a ray's angle from inward, beyond that of the last ray that reaches the sky
+    double swept(double inward) const;  // NaN for rays that do not reach the sky
+    double swept_at(double place) const { return swept(last_ + off(place)); }
+    void make_stretches();
 
     const FrameTracer& tracer_;
     CameraSpec camera_;
     int orders_;
+    double last_ = 0;              // of the last ray that reaches the sky, from inward
     std::vector<Sample> samples_;  // swept grows
+    std::vector<Stretch> stretches_;
 };
 
 // Linear Rec. 709 times sr: what an image adds to the picture, before its point spread.

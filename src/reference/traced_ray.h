@@ -126,7 +126,6 @@ protected:
     using Photon = std::array<long double, 4>;  // its momentum p = e_0 - n^i e_i, of unit frequency in the camera
     const Tetrad& tetrad() const { return tetrad_; }
 
-private:
     Photon photon(Vec3 direction) const {
         const long double norm = std::sqrt(static_cast<long double>(direction.x) * direction.x +
                                            static_cast<long double>(direction.y) * direction.y +
@@ -137,6 +136,8 @@ private:
             for (std::size_t mu = 0; mu < 4; ++mu) p[mu] -= n[i] * tetrad_[i + 1][mu];
         return p;
     }
+
+private:
     virtual RayPtr trace(const Photon& p) const = 0;
     virtual std::vector<RayPtr> trace_all(const std::vector<Photon>& photons) const {
         std::vector<RayPtr> rays;
