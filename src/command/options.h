@@ -7,15 +7,21 @@
 #include <vector>
 
 #include "base/command_line.h"
+#include "scenefile/key_place.h"
 
 namespace nullscope::cli {
 
-// A command whose options live as long as it does; run takes them.
+// A command whose options live as long as it does; run takes them. What it says of a key of options.scene, if there is that, has file and line.
 template <class Options, class Run>
 std::pair<Command&, Options&> add_command(Command& parent, const char* name, const char* help, Run run) {
     const auto options = std::make_shared<Options>();
     Command& command = parent.add_command(name, help);
-    command.on_run([options, run] { return run(*options); });
+    command.on_run([options, run] {
+        if constexpr (requires { options->scene.size(); })
+            return of_scene(options->scene, run(*options));
+        else
+            return run(*options);
+    });
     return {command, *options};
 }
 

@@ -31,6 +31,7 @@ struct OpenedScene {
     SceneFolders folders;                        // what its paths are relative to
     std::map<std::string, std::string> words{};  // of a picture: all that it says of itself
 };
+std::filesystem::path scene_path(const std::string& file_or_name);
 Result<OpenedScene> open_scene(const std::string& file_or_name, const Note& note = note_on_terminal);
 Result<Scene> load_scene(const std::string& file_or_name, const Note& note = note_on_terminal);
 // What the paths of that scene are relative to, whatever is in the file: its folder, else that of the scenes that ship, so that the text of one

@@ -48,13 +48,6 @@ std::vector<std::pair<std::string, std::vector<std::string>>> gallery_groups() {
     return groups;
 }
 
-fs::path scene_path(const std::string& file_or_name) {
-    std::error_code error;
-    const fs::path shipped = scenes_directory() / (file_or_name + ".toml");
-    const bool is_name = !fs::is_regular_file(file_or_name, error) && file_or_name.find('/') == std::string::npos;
-    return is_name && fs::is_regular_file(shipped, error) ? shipped : fs::path(file_or_name);
-}
-
 Error no_such_scene(const std::string& name) {
     std::vector<std::string> names;
     for (const fs::path& file : scene_files()) names.push_back(file.stem().string());
@@ -65,6 +58,13 @@ Error no_such_scene(const std::string& name) {
 }
 
 }  // namespace
+
+fs::path scene_path(const std::string& file_or_name) {
+    std::error_code error;
+    const fs::path shipped = scenes_directory() / (file_or_name + ".toml");
+    const bool is_name = !fs::is_regular_file(file_or_name, error) && file_or_name.find('/') == std::string::npos;
+    return is_name && fs::is_regular_file(shipped, error) ? shipped : fs::path(file_or_name);
+}
 
 SceneFolders scene_folders(const std::string& file_or_name) {
     return {scene_path(file_or_name).parent_path(), scenes_directory()};

@@ -12,6 +12,12 @@ GOOD = "10,1.5,0,-1,0,0.1\n"
 
 
 class Usage(support.CliTest):
+    def test_a_key_that_is_refused_while_it_is_drawn_has_file_and_line(self):
+        """The shader draws what is finer than directions in double; the reference does not."""
+        scene = self.write("deep.toml", "name = \"deep\"\n[sky]\nkind = \"plain\"\n[zoom]\n\ndepth = 39.8\n")
+        for words in (["capture", scene, "-o", "a.png"], ["profile", scene, "-o", "a"]):
+            self.refused(*words, "--renderer", "reference", "--size", "16x9", says=["deep.toml:6: zoom.depth: ", "allowed: at most 25 "])
+
     def test_commands_and_options(self):
         self.refused("captur", says=["captur", "nearest: capture"])
         self.refused("capture", says=["scene", "capture --help"])
