@@ -1,8 +1,8 @@
 // A hot flow about the hole: density exp(-((r/radius)^2 + (h cos theta)^2)/2), u_mu = u_t (-1, 0, 0, l),
 // l = l0 R^1.5/(1 + R) with R = r sin theta in M (Gold et al. 2020, ApJ 897, 148, section 3.2).
 #include "generated/medium_matter"
+#include "medium/circles.glsl"
 #include "medium/matter.glsl"
-#include "medium/motion.glsl"
 #include "medium/place.glsl"
 #include "medium/warmth.glsl"
 

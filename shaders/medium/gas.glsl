@@ -3,8 +3,8 @@
 #include "core/ring_noise.glsl"
 #include "core/trig.glsl"
 #include "generated/medium_matter"
+#include "medium/circles.glsl"
 #include "medium/matter.glsl"
-#include "medium/motion.glsl"
 #include "medium/place.glsl"
 #include "path/trace"
 

@@ -1,5 +1,5 @@
-// How matter moves, and sees the camera's light: about the axis, or in any direction of the observer of no angular momentum. In metrics of
-// Kerr's form and in those with A = Delta/r^2 (a = 0).
+// How matter sees the camera's light that moves in any direction, seen by the observer of no angular momentum. In metrics of Kerr's form and
+// in those with A = Delta/r^2 (a = 0).
 #include "medium/matter.glsl"
 #include "medium/place.glsl"
 #include "shared/frame.glsl"
@@ -26,37 +26,6 @@ vec4 medium_photon(MediumPlace place) {
     return vec4(meridian.x, meridian.y, east, energy);
 }
 
-// Camera frequency over that in matter with u_mu = u_t (-1, 0, 0, l): of angular momentum l for its energy, r_s.
-float medium_g(MediumPlace place, float l) {
-    float a = frame.medium_hole.x;
-    float r2 = place.r * place.r;
-    float a2 = a * a;
-    float cosine2 = place.cosine * place.cosine;
-    float sine2 = max(1.0 - cosine2, 1.0e-12);
-    float delta = max((place.r - frame.medium_hole.y) * (place.r - frame.medium_hole.z), 1.0e-12);
-    float sigma = r2 + a2 * cosine2;
-    float area = (r2 + a2) * (r2 + a2) - a2 * delta * sine2;
-    float drag = a * (r2 + a2 - delta);               // 2 m(r) r a
-    float around = delta / sine2 - a2;
-    float norm = max(area - l * (2.0 * drag + l * around), 1.0e-12);
-    // -k.u = (E (area - drag l) - L (drag + l around))/sqrt(sigma delta norm)
-    float photon = place.energy * (area - drag * l) - place.momentum * (drag + l * around);
-    return sqrt(sigma * delta * norm) / max(photon, 1.0e-12 * area);
-}
-
-// The same of matter that goes round at a rate, c/r_s.
-float medium_g_at_rate(MediumPlace place, float rate) {
-    float a = frame.medium_hole.x;
-    float r2a2 = place.r * place.r + a * a;
-    float cosine2 = place.cosine * place.cosine;
-    float sine2 = 1.0 - cosine2;
-    float delta = (place.r - frame.medium_hole.y) * (place.r - frame.medium_hole.z);
-    float pull = (r2a2 - delta) / (place.r * place.r + a * a * cosine2);   // 2 m(r) r/Sigma
-    float static_part = 1.0 - a * rate * sine2;
-    float norm = 1.0 - pull * static_part * static_part - rate * rate * sine2 * r2a2;   // (dtau/dt)^2
-    return sqrt(max(norm, 1.0e-6)) / max(place.energy - place.momentum * rate, 1.0e-6);
-}
-
 // Of matter of given four-velocity.
 MediumMatter medium_moving(MediumPlace place, MediumMatter matter, vec3 velocity) {
     vec4 photon = medium_photon(place);
@@ -75,34 +44,4 @@ vec3 medium_seen(MediumPlace place, MediumMatter matter) {
     float gamma = sqrt(1.0 + dot(u, u));
     float doppler = max(gamma - dot(u, light_way), 1.0e-6);
     return (light_way + u * (dot(u, light_way) / (1.0 + gamma) - 1.0)) / doppler;
-}
-
-// Of matter that goes round at a rate, c/r_s; and with angular momentum l for its energy, r_s.
-MediumMatter medium_going_round(MediumPlace place, MediumMatter matter, float rate) {
-    float a = frame.medium_hole.x;
-    float r2a2 = place.r * place.r + a * a;
-    float sine2 = max(1.0 - place.cosine * place.cosine, 1.0e-12);
-    float delta = max((place.r - frame.medium_hole.y) * (place.r - frame.medium_hole.z), 1.0e-12);
-    float sigma = place.r * place.r + a * a * (1.0 - sine2);
-    float area = r2a2 * r2a2 - a * a * delta * sine2;
-    float drag = a * (r2a2 - delta);
-    float speed = clamp((rate - drag / area) * area * sqrt(sine2 / delta) / sigma, -0.999999, 0.999999);
-    matter.velocity = vec3(0.0, 0.0, speed * inversesqrt(1.0 - speed * speed));
-    matter.g = medium_g_at_rate(place, rate);
-    return matter;
-}
-
-MediumMatter medium_with_momentum(MediumPlace place, MediumMatter matter, float l) {
-    float a = frame.medium_hole.x;
-    float r2a2 = place.r * place.r + a * a;
-    float sine2 = max(1.0 - place.cosine * place.cosine, 1.0e-12);
-    float delta = max((place.r - frame.medium_hole.y) * (place.r - frame.medium_hole.z), 1.0e-12);
-    float sigma = place.r * place.r + a * a * (1.0 - sine2);
-    float area = r2a2 * r2a2 - a * a * delta * sine2;
-    float drag = a * (r2a2 - delta);
-    // u_phi = -l u_t, alpha gamma = -(u_t + omega u_phi): speed = l alpha/((1 - omega l) sqrt(g_phiphi))
-    float speed = clamp(l * sigma * sqrt(delta / sine2) / (area - drag * l), -0.999999, 0.999999);
-    matter.velocity = vec3(0.0, 0.0, speed * inversesqrt(1.0 - speed * speed));
-    matter.g = medium_g(place, l);
-    return matter;
 }

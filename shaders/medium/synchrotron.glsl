@@ -6,26 +6,16 @@
 #include "medium/matter.glsl"
 #include "medium/motion.glsl"
 #include "medium/place.glsl"
+#include "medium/planck.glsl"
 #include "shared/frame.glsl"
 
 #define ELECTRON_K 5.92989658e9         // m c^2/k
 #define GYRO_GHZ 2.79924899e-3          // e/(2 pi m c), GHz a gauss
-#define LOG2_E 1.44269504088896341
-#define PLANCK_K 0.0479924307           // h/k, K a GHz
 
 // K_2(x) exp(x) x^2/2 for x = 1/theta below 12, to 4e-6.
 float bessel_part(float x) {
     float top = 1.0 + x * (3.11904059 + x * (3.7342093 + x * (2.04092927 + x * 0.43933163)));
     return sqrt(top / (1.0 + 1.11883164 * x));
-}
-
-// A black body at a frequency (GHz): log2 of the temperature of the same light by Rayleigh and Jeans' law, K.
-float log2_planck_temperature(float temperature, float frequency) {
-    float t = max(temperature, 1.0);
-    float x = PLANCK_K * frequency / t;
-    float low = log2(1.0 - min(x, 0.02) * (0.5 - min(x, 0.02) * (1.0 / 12.0)));
-    float high = log2(max(x, 1.0e-20)) - LOG2_E * x - log2(max(1.0 - exp(-x), 1.0e-3));
-    return log2(t) + (x < 0.02 ? low : high);
 }
 
 // log2 of it. way: of the light, where the matter rests; frequency in GHz.

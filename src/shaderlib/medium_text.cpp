@@ -46,8 +46,9 @@ std::string medium_text(const Scene& scene) {
     const MediumModel& model = model_of(medium);
     std::string text =
         names_text(kLawNumbers, "medium_law") + names_text(model.numbers, "medium_form") + field_direction_text(medium);
-    text += fmt::format("#define DENSEST_MATTER {:e}\n#define FASTEST_MATTER {:.1f}\n#define LEAST_FALL {:e}\n",
-                        MediumGrid::kDensest, kFastestMatter, MediumGrid::kLeastFall);
+    if (medium.kind == MediumKind::kGrid)
+        text += fmt::format("#define DENSEST_MATTER {:e}\n#define FASTEST_MATTER {:.1f}\n#define LEAST_FALL {:e}\n",
+                            MediumGrid::kDensest, kFastestMatter, MediumGrid::kLeastFall);
     if ((model.shares & kWarmth) == 0) return text;
     const MediumFormulas& f = medium.formulas;
     const auto value = [&](const char* name, const std::string& formula, bool used) {
@@ -56,7 +57,8 @@ std::string medium_text(const Scene& scene) {
         return fmt::format("medium_{}(at.x, at.y, at.z, r, t)", name);
     };
     const bool formula = medium.kind == MediumKind::kFormula;
-    text += include_line("effect/expression.glsl") + include_line("medium/matter.glsl");
+    if (formula || medium.law_row().temperature) text += include_line("effect/expression.glsl");
+    text += include_line("medium/matter.glsl");
     const std::string density = value("density", f.density, formula),
                       temperature = value("temperature", f.temperature, medium.law_row().temperature),
                       field = value("field", f.field, medium.law_row().field),

@@ -66,14 +66,15 @@ WORDS = {
     "sides": [r"\w+_by_side", r"throat", r"end_side"],
     "limb-darkening": [r"limb_darkening", r"disc_cosine", r"disc_light"],
     "disc-gas": [r"disc_gas\w*"],
+    "medium-gas": [r"gas_(?:clumps|rim|rate)", r"GAS_(?:INNER|OUTER|THICKNESS|HEAT|RIM)"],
     "medium-motion": [r"gas_moved"],
     "medium-formula": [r"medium_formulas"],
     "medium-grid": [r"grid_\w+", r"GridNumbers", r"medium_texture"],
     "medium-black-body": [],   # JOINT has them
-    "medium-synchrotron": [r"log2_synchrotron", r"log2_planck_temperature"],
+    "medium-synchrotron": [r"log2_synchrotron"],
 }
 # Words of any of several effects.
-JOINT = {("medium-formula", "medium-grid"): [r"SPHERE_\w+", r"medium_(?:in_sphere|inside)"], ("medium-gas", "medium-black-body"): [r"medium_glow"]}
+JOINT = {("medium-formula", "medium-grid"): [r"SPHERE_(?:RADIUS|HEIGHT|STEP)", r"medium_(?:in_sphere|inside)"], ("medium-gas", "medium-black-body"): [r"medium_glow"]}
 SCENES = {
     "nothing": '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "black"\n',
     "lensing": '[sky]\nkind = "black"\n',

@@ -144,7 +144,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kMediumMotion, {"gas_moved("}},
     {medium_effect(MediumKind::kGrid), {"medium_texture", "grid_at(", "GRID_RING"}},
     {Effect::kMediumBlackBody, {}},  // gas has its shader too: see below
-    {Effect::kMediumSynchrotron, {"log2_synchrotron(", "log2_planck_temperature("}},
+    {Effect::kMediumSynchrotron, {"log2_synchrotron("}},
     {Effect::kDiscGas, {"disc_gas(", "disc_gas_gaps(", "vec4 disc_gas;"}},
 };
 
