@@ -62,9 +62,9 @@ struct MediumModel {
 };
 inline constexpr double kLeastStep = 1e-6;
 
-extern const MediumModel kGasModel, kFlowModel, kFormulaModel, kFileModel;
+extern const MediumModel kGasModel, kFlowModel, kFormulaModel, kFileModel, kJetModel;
 inline std::array<const MediumModel*, kMediumKinds> medium_models() {  // by MediumKind
-    return {&kGasModel, &kFlowModel, &kFormulaModel, &kFileModel};
+    return {&kGasModel, &kFlowModel, &kFormulaModel, &kFileModel, &kJetModel};
 }
 inline const MediumModel& model_of(const MediumSpec& medium) {
     return *medium_models()[static_cast<std::size_t>(medium.kind)];

@@ -124,12 +124,40 @@ private:
     std::shared_ptr<const MediumGrid> grid_;
 };
 
+class JetModel final : public WarmModel {
+public:
+    using WarmModel::WarmModel;
+
+    double panel(const MatterPlace& place) const override {
+        const double opening = spec_.jet.opening,
+                     off = std::atan2(place.off_axis(), std::abs(place.flat().z)) - opening,
+                     beside = off > 0 ? place.r * std::sin(off) : 0,
+                     free = std::max({spec_.inner - place.r, place.r - spec_.outer, beside});
+        const double scale =
+            std::min({place.r * opening, place.r * rim(), std::max(place.r - horizon_, kMediumAboveHorizon)});
+        return std::max(kMatterPanel * scale, free);
+    }
+
+    std::optional<MatterState> at(const MediumNode& node, const PlaceMetric&) const override {
+        const double side = node.sine() / std::sin(spec_.jet.opening), across = 1 - side * side;
+        const double in = std::min(std::log(node.r / spec_.inner), std::log(spec_.outer / node.r)) / rim(),
+                     end = std::clamp(in, 0.0, 1.0);
+        if (across <= 0 || end == 0) return std::nullopt;
+        const double density =
+            across * across * end * end * (3 - 2 * end) * std::pow(spec_.inner / node.r, spec_.jet.falloff);
+        return warm(node, spec_.density_scale * density, {std::sqrt(spec_.jet.lorentz * spec_.jet.lorentz - 1), 0, 0});
+    }
+
+private:
+    double rim() const { return std::min(spec_.edge, 0.5 * std::log(spec_.outer / spec_.inner)); }
+};
+
 template <class Model>
 std::unique_ptr<MatterModel> made(const Scene& scene, const Metric& metric) {
     return std::make_unique<Model>(scene, metric);
 }
 constexpr std::unique_ptr<MatterModel> (*kModels[kMediumKinds])(const Scene&, const Metric&) = {
-    make_gas, made<FlowModel>, made<FormulaModel>, made<FileModel>};  // by MediumKind
+    make_gas, made<FlowModel>, made<FormulaModel>, made<FileModel>, made<JetModel>};  // by MediumKind
 
 }  // namespace
 

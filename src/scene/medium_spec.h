@@ -22,7 +22,7 @@ struct GasSpec {
     friend bool operator==(const GasSpec&, const GasSpec&) = default;
 };
 
-enum class MediumKind { kGas, kFlow, kFormula, kGrid, kEnd };
+enum class MediumKind { kGas, kFlow, kFormula, kGrid, kJet, kEnd };
 inline constexpr auto kMediumKinds = static_cast<std::size_t>(MediumKind::kEnd);
 
 // A soft disc of gas in circular orbits from inner to outer, Gaussian across the plane; temperature (r/inner)^(-3/4).
@@ -54,6 +54,15 @@ struct GridMatter {  // scene/medium_grid.h
     friend bool operator==(const GridMatter&, const GridMatter&) = default;
 };
 
+// Two cones about the spin axis, from r = inner to outer: density (r/inner)^-falloff, across a cone (1 - (sin theta/sin opening)^2)^2, and
+// rims at both ends. It flows out along the radius.
+struct JetMatter {
+    double opening = 0.17453292519943295;  // half the cone's angle
+    double falloff = 2.0;
+    double lorentz = 3.0;  // of the observer of no angular momentum
+    friend bool operator==(const JetMatter&, const JetMatter&) = default;
+};
+
 enum class MediumEmission { kPowerLaw, kBlackBody, kSynchrotron };  // by kEmissionLaws
 struct EmissionLaw {
     std::string_view word;    // of the key; its file is shaders/medium/WORD.glsl, with _ in place of -
@@ -76,6 +85,7 @@ struct MediumSpec {
     FlowMatter flow{};
     MediumFormulas formulas{};
     GridMatter grid{};
+    JetMatter jet{};
     // What several models have (MediumModel::shares): radii between which matter is, the width of both rims in ln r; |z| < height; samples
     // across the sphere of radius `outer`; a factor on densities, and the root of it on a file's field.
     double inner = 3.0, outer = 12.0, edge = 0.25, height = 1e6;

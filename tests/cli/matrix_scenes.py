@@ -61,6 +61,7 @@ THINGS = {
     "gas-flow": {"medium": {"kind": "gas", "inner": 3.2, "outer": 7.0, "thickness": 0.2, "gas_contrast": 0.4, "brightness": 3.0, "flow": "kepler",
                             "step": 0.5}},
     "flow": {"medium": {"kind": "flow", "radius": 3.0, "brightness": 3.0, "emissivity": 3e-18}, "object": OBJECT},
+    "matter-jet": {"medium": {"kind": "jet", "inner": 2.5, "outer": 9.0, "opening": 25.0, "lorentz": 1.3, "emissivity": 1e-17, "brightness": 3.0}, "object": OBJECT},
     "matter": {"medium": {**MATTER, "density": BLOB, "emissivity": 3e-18, "brightness": 30.0, "absorption": 1e5}, "object": OBJECT},
     "matter-t": {"medium": {**MATTER, "density": "exp(-((x - 3.5)^2 + (y + 1.5)^2 + (z - sin(0.2*t))^2)/1.5)", "brightness": 30.0},
                  "object": OBJECT},

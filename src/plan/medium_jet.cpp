@@ -1,0 +1,79 @@
+// A jet: two cones of matter that flows out along the spin axis.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "plan/medium.h"
+#include "plan/medium_model.h"
+
+namespace nullscope {
+namespace {
+
+bool is_jet(const Scene& s) { return s.medium->kind == MediumKind::kJet; }
+constexpr std::string_view kJet = "kind = \"jet\"";
+
+std::vector<SceneKey> jet_keys() {
+    return {
+        {"medium", "opening", KeyType::kNumber, "deg", "10", closed(0.5, 80.0), "",
+         "Half the opening angle of a jet's cones. Needs kind = \"jet\".",
+         [](auto& s) { return &s.medium->jet.opening; }, is_jet, kJet},
+        {"medium", "falloff", KeyType::kNumber, "", "2", closed(-10.0, 10.0), "",
+         "p of a jet's density (r/inner)^-p on the axis. Needs kind = \"jet\".",
+         [](auto& s) { return &s.medium->jet.falloff; }, is_jet, kJet},
+        {"medium", "lorentz", KeyType::kNumber, "", "3", closed(1.0, 1000.0), "",
+         "Lorentz factor of a jet, which flows out along the radius, seen by the observer of no angular momentum "
+         "there. "
+         "Needs kind = \"jet\".",
+         [](auto& s) { return &s.medium->jet.lorentz; }, is_jet, kJet},
+    };
+}
+
+void jet_faults(const Spacetime& spacetime, const Scene& scene, std::vector<SceneFault>& faults) {
+    const auto hole = medium_hole(spacetime);
+    if (hole && scene.medium->inner <= hole->outer)
+        faults.push_back({"medium.inner", fmt::format("{} is not outside the horizon", scene.medium->inner),
+                          fmt::format("above {:.9g}", hole->outer)});
+}
+
+std::vector<double> jet_values(const MediumFrame& f) {
+    const MediumSpec& m = f.medium();
+    const double length = std::log(m.outer / m.inner);
+    return {m.inner,
+            m.outer,
+            std::log(m.inner),
+            length,
+            std::min(m.edge, 0.5 * length),
+            std::sin(m.jet.opening),
+            std::cos(m.jet.opening),
+            m.jet.falloff,
+            std::sqrt((m.jet.lorentz - 1.0) * (m.jet.lorentz + 1.0)),
+            m.density_scale};
+}
+
+}  // namespace
+
+const MediumModel kJetModel{
+    .word = "jet",
+    .what = "two cones of matter that flows out along the axis",
+    .effect = {medium_effect(MediumKind::kJet),
+               "medium-jet",
+               "EFFECT_MEDIUM_JET",
+               "Light is emitted and absorbed along its way by a jet.",
+               "there is a [medium] of kind \"jet\"",
+               "the ray's way once more, in samples of two exponentials",
+               {Slot::kMedium, "medium/jet.glsl"}},
+    .shares = kInner | kOuter | kEdge | kDensityScale | kLaws | kWarmth,
+    .traits = {.any_density = true},
+    .keys = jet_keys,
+    .words = [](const MediumSpec& m) { return fmt::format("from {} to {}, a jet", m.inner, m.outer); },
+    .farthest = [](const MediumSpec& m) { return m.outer; },
+    .least_step = nullptr,
+    .moves = nullptr,
+    .faults = jet_faults,
+    .numbers = "JET_INNER JET_OUTER JET_BEGIN JET_LENGTH JET_RIM JET_SINE JET_COSINE JET_FALLOFF JET_SPEED JET_DENSITY",
+    .values = jet_values,
+    .before = massive_hole,
+    .with = [](Scene& s) { s.medium.emplace().kind = MediumKind::kJet; },
+};
+
+}  // namespace nullscope
