@@ -28,7 +28,7 @@ from x_screen import read_png
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = ROOT / "CONTRIBUTING.md"
 QUICK = not depth.deep()
-RECIPES = ["a metric", "an effect", "a body kind", "a scene section", "an output format"]
+RECIPES = ["a metric", "an effect", "a body kind", "a medium model", "a scene section", "an output format"]
 OF_SCENES = RECIPES[:4]   # each has one
 BUILT = ("build", "out")   # folders that are no part of the tree
 SIZE = "160x90"
@@ -50,6 +50,7 @@ SCENES = {
     "dilaton-hole": (r'metric = "dilaton-hole"\ncharge = 1\.3\n', 'metric = "schwarzschild"\n'),
     "grey-limb": (r'grey_limb = "on"\n', ""),
     "cube": (r"\[cube\]\n(?:.+\n)+", ""),
+    "halo": (r"\[medium\]\n(?:.+\n)+", ""),
     "target": (r"\[target\]\n(?:.+\n)+", ""),
 }
 # A ray inward from 20 r_s over the cube's middle.
@@ -134,6 +135,7 @@ def check_promises(steps):
     at_most("a metric", 5, "src/")          # its own, the reference's, the registry and the reference's two lists
     at_most("a metric", 0, "shaders/")
     at_most("a body kind", 9, "src/", "shaders/")
+    at_most("a medium model", 5, "src/", "shaders/")
     at_most("a scene section", 3, "src/", "shaders/")
     at_most("a scene section", 5, "")         # with its scene; docs/scenes.md makes six
     at_most("an output format", 3, "src/", "shaders/")   # with src/CMakeLists.txt where a package writes it
