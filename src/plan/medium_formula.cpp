@@ -33,7 +33,7 @@ std::vector<SceneKey> formula_keys() {
         formula(
             "local_temperature", "K", "1e4",
             kept(fmt::format("Temperature at a place; of synchrotron radiation the electrons', which must be above "
-                             "5e8. Needs {}, with emission = \"black-body\" or \"synchrotron\".",
+                             "5e8. Needs {}, with another emission than \"power-law\".",
                              warm)),
             [](auto& s) { return &s.medium->formulas.temperature; }, is_warm, warm_law),
         formula(
