@@ -1,6 +1,7 @@
 // A jet: two cones of matter that flows out along the spin axis.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "plan/medium.h"
@@ -33,6 +34,10 @@ void jet_faults(const Spacetime& spacetime, const Scene& scene, std::vector<Scen
     if (hole && scene.medium->inner <= hole->outer)
         faults.push_back({"medium.inner", fmt::format("{} is not outside the horizon", scene.medium->inner),
                           fmt::format("above {:.9g}", hole->outer)});
+    const MediumSpec& m = *scene.medium;
+    if (m.density_scale * std::pow(m.outer / m.inner, -m.jet.falloff) > MediumGrid::kDensest)
+        faults.push_back({"medium.falloff", fmt::format("{} makes the far end too dense", m.jet.falloff),
+                          fmt::format("densities of at most {:g} at medium.outer", MediumGrid::kDensest)});
 }
 
 std::vector<double> jet_values(const MediumFrame& f) {

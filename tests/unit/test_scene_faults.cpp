@@ -112,6 +112,8 @@ const Broken kBroken[] = {
      6, "medium.field_direction", "file where kind = \"grid\""},
     {"[object]\nname = \"m87\"\n[medium]\nkind = \"jet\"\ninner = 0.9", 5, "medium.inner", "allowed: above 1"},
     {"[medium]\nkind = \"jet\"\nemission = \"black-body\"\nouter = 3", 4, "medium.outer", "allowed: inner < outer"},
+    {"[medium]\nkind = \"jet\"\nemission = \"black-body\"\nfalloff = -9\nouter = 1e5", 4, "medium.falloff",
+     "at most 1e+30 at medium.outer"},
     {"[medium]\nkind = \"jet\"\nopening = 90", 3, "medium.opening", "allowed: [0.5, 80]"},
     {"[medium]\nkind = \"jet\"\nlorentz = nan", 3, "medium.lorentz", "allowed: [1, 1000]"},
     {"[medium]\nkind = \"gas\"\nlorentz = 2", 3, "medium.lorentz", "kind = \"jet\""},
