@@ -64,6 +64,19 @@ double synchrotron_mean(double electrons, double temperature, double field, doub
            std::sqrt(third) * (1 + 0.4 / std::sqrt(half) + 0.5316 / half) * std::exp(-1.8899 * third);
 }
 
+namespace {
+
+// erg/(s cm^3 Hz sr) of thermal electrons among as many protons.
+double bremsstrahlung(double electrons, double temperature, double nu) {
+    const double t = std::max(temperature, 1.0), charge2 = kCharge * kCharge,
+                 gaunt = std::max(std::sqrt(3.0) / M_PI * (17.7 + std::log(std::pow(t, 1.5) / nu)), 1.0);
+    const double constant = 32 * M_PI * charge2 * charge2 * charge2 / (3 * kElectron * kLight * kLight * kLight) *
+                            std::sqrt(2 * M_PI / (3 * kBoltzmann * kElectron)) / (4 * M_PI);
+    return constant * electrons * electrons / std::sqrt(t) * std::exp(-kPlanck * nu / (kBoltzmann * t)) * gaunt;
+}
+
+}  // namespace
+
 double planck(double temperature, double nu) {
     return 2 * kPlanck * nu * nu * nu / (kLight * kLight) / std::expm1(kPlanck * nu / (kBoltzmann * temperature));
 }
@@ -145,6 +158,7 @@ Emission::Coefficients Emission::coefficients(const MatterState& matter, double 
                           : synchrotron_at(matter.density, matter.temperature_K, matter.field_G,
                                            std::sqrt(std::max(1 - cosine * cosine, 0.0)), nu);
             break;
+        case MediumEmission::kBremsstrahlung: emitted = bremsstrahlung(matter.density, matter.temperature_K, nu); break;
     }
     return {emitted, emitted > 0 ? emitted / planck(matter.temperature_K, nu) : 0};  // Kirchhoff's law
 }

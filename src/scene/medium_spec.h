@@ -63,7 +63,7 @@ struct JetMatter {
     friend bool operator==(const JetMatter&, const JetMatter&) = default;
 };
 
-enum class MediumEmission { kPowerLaw, kBlackBody, kSynchrotron };  // by kEmissionLaws
+enum class MediumEmission { kPowerLaw, kBlackBody, kSynchrotron, kBremsstrahlung };  // by kEmissionLaws
 struct EmissionLaw {
     std::string_view word;    // of the key; its file is shaders/medium/WORD.glsl, with _ in place of -
     std::string_view what;    // for the key's help
@@ -74,6 +74,7 @@ inline constexpr EmissionLaw kEmissionLaws[] = {
     {"power-law", "as a flow", true, false, false},
     {"black-body", "by its temperature in all colours, with one opacity", false, true, false},
     {"synchrotron", "thermal electrons in a magnetic field", true, true, true},
+    {"bremsstrahlung", "thermal electrons among protons", true, true, false},
 };
 
 // Of the magnetic field in the frame of the matter; kIsotropic: the mean over all directions; kFile: the file's, of kGrid alone.

@@ -84,6 +84,22 @@ TEST_CASE("medium: closed forms of a thin sphere, a thick one and a slab" * test
         const double black = reference::planck(3e9, 230e9) / medium_light_cgs(230);
         check_closed(session, "thick sphere, synchrotron", thick, [&](double b) { return b < 1 ? black : 0.0; });
 
+        // Of bremsstrahlung by alpha^3 hbar^3/m in place of e^6/(m c^3), thin and thick.
+        Scene ions = formula_scene("minkowski", 0, MediumEmission::kBremsstrahlung);
+        ions.medium->formulas.density = "1e4", ions.medium->formulas.temperature = "1e6",
+        ions.medium->frequency_GHz = 10;
+        constexpr double kFine = 7.2973525693e-3, kReduced = 1.054571817e-27, kMass = 9.1093837e-28,
+                         kHeat = 1.380649e-16;
+        const double gaunt = std::sqrt(3.0) / M_PI * (17.7 + std::log(1e9 / 10e9)),
+                     ion = 8.0 / 3 * std::pow(kFine * kReduced, 3) / kMass * std::sqrt(2 * M_PI / (3 * kHeat * kMass)) *
+                           1e8 / 1e3 * gaunt * std::exp(-kReduced * 2 * M_PI * 10e9 / (kHeat * 1e6)),
+                     thin_ions = ion * length_cm(ions) / medium_light_cgs(10);
+        check_closed(session, "thin sphere, bremsstrahlung", ions,
+                     [&](double b) { return b < 1 ? thin_ions * 2 * std::sqrt(1 - b * b) : 0.0; });
+        ions.medium->formulas.density = "1e14";
+        const double hot = reference::planck(1e6, 10e9) / medium_light_cgs(10);
+        check_closed(session, "thick sphere, bremsstrahlung", ions, [&](double b) { return b < 1 ? hot : 0.0; });
+
         Scene warm = formula_scene("minkowski", 0, MediumEmission::kBlackBody);
         warm.medium->formulas.temperature = "5000", warm.medium->temperature_K = 6000, warm.medium->opacity = 1e6;
         const double red = reference::seen_black_body(5000, 1, warm.light).x / std::exp2(log2_brightness(6000, false));
