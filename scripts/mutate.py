@@ -176,7 +176,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("medium-edge", "a sample at the edge of matter counts whole", "shaders/medium/sphere.glsl",
      "return max(to - from, 0.0);", "return to > from ? 1.0 : 0.0;", ("gpu_tests", "medium: closed*")),
     ("medium-doppler", "matter's motion along the ray is not felt", "shaders/medium/motion.glsl",
-     "gamma - dot(velocity, vec3(photon.x, photon.y, photon.z))", "gamma", ("gpu_tests", "medium: matter*")),
+     "medium_doppler(velocity, vec3(photon.x, photon.y, photon.z))", "sqrt(1.0 + dot(velocity, velocity))", ("gpu_tests", "medium: matter*")),
     ("medium-field", "the field's direction is that of who does not go with the matter", "shaders/medium/synchrotron.glsl",
      "medium_seen(place, matter)", "medium_photon(place).xyz", ("gpu_tests", "medium: matter*")),
     ("medium-kirchhoff", "absorption by Rayleigh and Jeans", "shaders/medium/planck.glsl",

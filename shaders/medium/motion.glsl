@@ -26,11 +26,19 @@ vec4 medium_photon(MediumPlace place) {
     return vec4(meridian.x, meridian.y, east, energy);
 }
 
+// gamma - u.n of a unit n, without a difference of nearly equal numbers where fast matter goes along with the light.
+float medium_doppler(vec3 u, vec3 n) {
+    float gamma = sqrt(1.0 + dot(u, u));
+    float along = dot(u, n);
+    vec3 beside = cross(u, n);
+    float with_it = (1.0 + dot(beside, beside)) / (gamma + max(along, 0.0));
+    return max(along > 0.0 ? with_it : gamma - along, 1.0e-6);
+}
+
 // Of matter of given four-velocity.
 MediumMatter medium_moving(MediumPlace place, MediumMatter matter, vec3 velocity) {
     vec4 photon = medium_photon(place);
-    float gamma = sqrt(1.0 + dot(velocity, velocity));
-    float doppler = max(gamma - dot(velocity, vec3(photon.x, photon.y, photon.z)), 1.0e-6);
+    float doppler = medium_doppler(velocity, vec3(photon.x, photon.y, photon.z));
     matter.velocity = velocity;
     matter.g = 1.0 / (photon.w * doppler);
     return matter;
@@ -42,6 +50,6 @@ vec3 medium_seen(MediumPlace place, MediumMatter matter) {
     vec3 light_way = vec3(photon.x, photon.y, photon.z);
     vec3 u = matter.velocity;
     float gamma = sqrt(1.0 + dot(u, u));
-    float doppler = max(gamma - dot(u, light_way), 1.0e-6);
+    float doppler = medium_doppler(u, light_way);
     return (light_way + u * (dot(u, light_way) / (1.0 + gamma) - 1.0)) / doppler;
 }

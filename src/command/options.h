@@ -17,6 +17,8 @@ std::pair<Command&, Options&> add_command(Command& parent, const char* name, con
     const auto options = std::make_shared<Options>();
     Command& command = parent.add_command(name, help);
     command.on_run([options, run] {
+        if constexpr (requires { options->split.size(); })  // of which of both files a key is, is not known
+            if (!options->split.empty()) return run(*options);
         if constexpr (requires { options->scene.size(); })
             return of_scene(options->scene, run(*options));
         else

@@ -30,7 +30,7 @@ std::vector<SceneKey> flow_keys() {
 
 const MediumModel kFlowModel{
     .word = "flow",
-    .what = "a hot flow about the hole that shines by a power law, seen at one frequency",
+    .what = "a hot flow about the hole",
     .effect = {medium_effect(MediumKind::kFlow),
                "medium-flow",
                "EFFECT_MEDIUM_FLOW",
@@ -41,7 +41,11 @@ const MediumModel kFlowModel{
     .shares = kDensityScale | kLaws | kWarmth,
     .traits = {},
     .keys = flow_keys,
-    .words = [](const MediumSpec& m) { return fmt::format("of radius {} at {} GHz", m.flow.radius, m.frequency_GHz); },
+    .words =
+        [](const MediumSpec& m) {
+            return fmt::format("of radius {}{}", m.flow.radius,
+                               m.by_frequency() ? fmt::format(" at {} GHz", m.frequency_GHz) : "");
+        },
     .farthest = [](const MediumSpec& m) { return kFlowScales * m.flow.radius; },
     .least_step = nullptr,
     .moves = nullptr,

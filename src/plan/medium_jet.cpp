@@ -11,6 +11,7 @@ namespace nullscope {
 namespace {
 
 bool is_jet(const Scene& s) { return s.medium->kind == MediumKind::kJet; }
+constexpr double kLeastConeStep = 1e-2;  // of the cone's radius where it begins
 constexpr std::string_view kJet = "kind = \"jet\"";
 
 std::vector<SceneKey> jet_keys() {
@@ -38,6 +39,14 @@ void jet_faults(const Spacetime& spacetime, const Scene& scene, std::vector<Scen
     if (m.density_scale * std::pow(m.outer / m.inner, -m.jet.falloff) > MediumGrid::kDensest)
         faults.push_back({"medium.falloff", fmt::format("{} makes the far end too dense", m.jet.falloff),
                           fmt::format("densities of at most {:g} at medium.outer", MediumGrid::kDensest)});
+    // The march takes so many spans of four samples at most; along the axis each is as long as in jet.glsl.
+    constexpr double kMostSpans = 900, kAcross = 0.15, kAlong = 0.03;
+    const double length = std::log(m.outer / m.inner), rim = std::min(m.edge, 0.5 * length),
+                 span = 4 * m.step * std::min({kAcross * std::sin(m.jet.opening), kAlong, kAcross * rim});
+    if (length > kMostSpans * span)
+        faults.push_back(
+            {"medium.opening", fmt::format("light along so long and narrow a jet takes {:.0f} spans", length / span),
+             fmt::format("at most {}: by a wider or shorter jet, a wider edge or a larger step", kMostSpans)});
 }
 
 std::vector<double> jet_values(const MediumFrame& f) {
@@ -72,7 +81,7 @@ const MediumModel kJetModel{
     .keys = jet_keys,
     .words = [](const MediumSpec& m) { return fmt::format("from {} to {}, a jet", m.inner, m.outer); },
     .farthest = [](const MediumSpec& m) { return m.outer; },
-    .least_step = nullptr,
+    .least_step = [](const MediumSpec& m) { return kLeastConeStep * std::sin(m.jet.opening) * m.inner; },
     .moves = nullptr,
     .faults = jet_faults,
     .numbers = "JET_INNER JET_OUTER JET_BEGIN JET_LENGTH JET_RIM JET_SINE JET_COSINE JET_FALLOFF JET_SPEED JET_DENSITY",

@@ -1,5 +1,5 @@
 // The models of matter along rays: what the host says of each in one row, a file a model (medium_gas.cpp, medium_flow.cpp,
-// medium_formula.cpp, medium_file.cpp); CONTRIBUTING.md has the recipe. What of it runs on the GPU is shaders/medium/WORD.glsl.
+// medium_formula.cpp, medium_file.cpp, medium_jet.cpp); CONTRIBUTING.md has the recipe. What of it runs on the GPU is shaders/medium/WORD.glsl.
 #pragma once
 #include <array>
 #include <string>

@@ -28,6 +28,8 @@ public:
         : MatterModel(scene, metric),
           temperature_(parsed(spec_.formulas.temperature)),
           field_(parsed(spec_.formulas.field)) {}
+    // Their formulas may depend on the azimuth.
+    double turn() const override { return spec_.law_row().temperature ? farthest_ / 64 : 0; }
 
 protected:
     MatterState warm(const MediumNode& node, double density, Vec3 velocity) const {

@@ -71,7 +71,7 @@ struct EmissionLaw {
     bool temperature, field;  // asks for these
 };
 inline constexpr EmissionLaw kEmissionLaws[] = {
-    {"power-law", "as a flow", true, false, false},
+    {"power-law", "of the frequency", true, false, false},
     {"black-body", "by its temperature in all colours, with one opacity", false, true, false},
     {"synchrotron", "thermal electrons in a magnetic field", true, true, true},
     {"bremsstrahlung", "thermal electrons among protons", true, true, false},

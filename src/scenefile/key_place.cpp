@@ -22,9 +22,9 @@ const toml::node* node_of(const toml::table& root, const std::string& key) {
         if (node == nullptr) break;
         found = node;
         table = node->as_table();
-        if (const toml::array* list = node->as_array(); list != nullptr && bracket != part.npos) {
-            const auto number =
-                static_cast<std::size_t>(std::max(std::atoi(std::string(part.substr(bracket + 1)).c_str()), 1));
+        if (const toml::array* list = node->as_array()) {  // "ball" is the first
+            const int written = bracket == part.npos ? 1 : std::atoi(std::string(part.substr(bracket + 1)).c_str());
+            const auto number = static_cast<std::size_t>(std::max(written, 1));
             if (const toml::node* entry = list->get(number - 1)) found = entry, table = entry->as_table();
         }
     }

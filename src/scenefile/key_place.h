@@ -1,4 +1,4 @@
-// Where the key of an error stands that was found after its scene was read: while it is drawn, say.
+// Finds the file and line of a key when an error is found only after the scene was read, for example while it is drawn.
 #pragma once
 #include <filesystem>
 #include <string>

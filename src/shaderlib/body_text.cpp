@@ -388,6 +388,7 @@ BodyText body_text(const Scene& scene, const EffectSet& effects) {
     text.materials = materials_of(scene);
     text.medium = medium_text(scene);
     text.law = medium_law_text(scene);
+    text.law_by_place = scene.medium && scene.medium->law_row().temperature;
     text.objects = objects_text(groups, scene);
     if (groups.empty()) return text;
     text.surfaces = surfaces_text(groups);

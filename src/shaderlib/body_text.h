@@ -23,6 +23,7 @@ struct BodyText {
     std::string materials;  // disc_material_pattern, sky_pattern: what a disc and a sky without images are painted with
     std::string medium;     // medium_matter: names of its numbers, and what is by formula
     std::string law;        // medium_law: the file of its emission law
+    bool law_by_place = false;                                            // which asks for temperature or field
     friend auto operator<=>(const BodyText&, const BodyText&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 

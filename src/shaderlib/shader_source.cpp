@@ -215,7 +215,11 @@ std::vector<int> block_members(const EffectSet& effects) {
 
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method,
                            std::string_view metric, const BodyText& bodies) {
-    const std::vector<std::string> defines = stage_defines(stage, effects, output, method);
+    std::vector<std::string> defines = stage_defines(stage, effects, output, method);
+    // Formulas of temperature and field may depend on the azimuth, though the model does not.
+    if (const MediumModel* model = model_of(effects);
+        model != nullptr && !model->traits.turn && (model->shares & kWarmth) != 0 && bodies.law_by_place)
+        defines.emplace_back("MEDIUM_TURN");
     std::map<std::string_view, std::string> generated = {
         {"generated/method", method_text(method, metric)},
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},

@@ -24,9 +24,9 @@ void draw_lines(const Scene& scene, float left, float wide) {
     if (spacetime == nullptr) return;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const double unit = static_cast<double>(wide) / scene.camera.width;  // of a pixel
-    draw.PushClipRect({left, 0.0f}, {left + wide, ImGui::GetIO().DisplaySize.y}, true);
     const auto camera = without_zoom(*spacetime, scene.camera, scene.light);
     if (!camera) return;  // deeper than lines can be told
+    draw.PushClipRect({left, 0.0f}, {left + wide, ImGui::GetIO().DisplaySize.y}, true);
     for (const PictureLine& line : critical_curve(*spacetime, *camera, scene.light)) {
         std::vector<ImVec2> points;
         points.reserve(line.size());

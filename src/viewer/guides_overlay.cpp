@@ -9,8 +9,9 @@ constexpr ImU32 kGuideColour = IM_COL32(255, 255, 255, 120), kGuideRim = IM_COL3
 constexpr float kSafe = 0.05f;    // of width and height, at each edge
 constexpr float kMiddle = 0.02f;  // half a line of the cross, of the height
 
-void draw_guides(OverlayPlace& place) {
-    const float left = place.left, wide = place.right - left, high = ImGui::GetIO().DisplaySize.y;
+// Of both sides of a comparison alike: each is clipped to its part.
+void draw_guides(OverlayPlace&) {
+    const float left = 0.0f, wide = ImGui::GetIO().DisplaySize.x, high = ImGui::GetIO().DisplaySize.y;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const auto line = [&](ImVec2 from, ImVec2 to) {
         draw.AddLine(from, to, kGuideRim, 3.0f);

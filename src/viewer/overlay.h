@@ -9,7 +9,8 @@
 
 namespace nullscope::viewer {
 
-// Where an overlay may draw, in ImGui's units: of the part of the picture that panels leave free. What it takes of that, it takes off.
+// Where an overlay may draw, in ImGui's units: kPicture in all of the window, clipped to its side; others in the part of the picture that panels
+// leave free. What it takes of that, it takes off.
 struct OverlayPlace {
     const ViewState& view;
     const Scene& scene;  // of the picture on the screen: of kPicture, of the side that is drawn

@@ -1,13 +1,14 @@
 // How much a test measures. Depth belongs to a test's file.
 //
 // The environment variable NULLSCOPE_TESTS says it:
-//   quick             what every change must pass: each promise on the cases that show its breach. scripts/test.sh
+//   quick             what every change must pass: each promise on the cases that show its breach, of costly ones a quarter. scripts/test.sh
 //   all               the same promises on every case. scripts/test.sh --all
 //   everything        every pixel of every frame, too: hours
 //   gpu/test_a.cpp,cli/test_b.py   these files as with all, the others quick. scripts/test.sh --turn (tests/turn.py)
 // Unset: quick. (NULLSCOPE_EVERYTHING, set to anything, means everything.) tests/depth.py is the same for Python.
 #pragma once
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 namespace nullscope::test {
@@ -45,15 +46,19 @@ T by_depth(T quick, T all, T everything, const char* file = __builtin_FILE()) {
     return asked == Depth::kQuick ? quick : asked == Depth::kAll ? all : everything;
 }
 
-// Costly cases, of more than a base second at quick depth: that depth takes one in so many of them, others with another NULLSCOPE_RUN. Its
-// runs in continuous integration are numbered as the turns are, so that as many submissions in a row take each; without a number all are run.
+// Costly cases take more than some 0.7 base seconds at quick depth. That depth runs one quarter of them, chosen by NULLSCOPE_RUN modulo 4;
+// continuous integration sets it to the turn, so that four turns run each. Without it all are run.
 inline constexpr int kCostlyParts = 4;
 
+// number: of the program's costly cases.
+inline bool is_of_another_run(int number, std::string_view run) {
+    return !run.empty() && number % kCostlyParts != std::atoll(std::string(run).c_str()) % kCostlyParts;
+}
+
 inline bool left_to_another_run(const char* file) {
-    static int number = 0;  // of the program's costly cases
-    const std::string_view run = environment_word("NULLSCOPE_RUN");
-    const int part = number++ % kCostlyParts;
-    return !run.empty() && depth(file) == Depth::kQuick && part != std::atoll(run.data()) % kCostlyParts;
+    static int number = 0;
+    const int own = number++;
+    return depth(file) == Depth::kQuick && is_of_another_run(own, environment_word("NULLSCOPE_RUN"));
 }
 
 // Which cases of a list a test measures: all; at quick depth every step-th, the first among them.
