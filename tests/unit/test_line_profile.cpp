@@ -19,8 +19,8 @@ namespace {
 using namespace nullscope;
 
 constexpr double kDegree = M_PI / 180;
-constexpr double kFar =
-    1e6;  // r_s: where the reference's observer is; what it sees differs from infinity's by some 1/kFar
+constexpr double kFarLine =
+    1e6;  // r_s: where the reference's observer is; what it sees differs from infinity's by some 1/kFarLine
 
 std::shared_ptr<const Spacetime> kerr(double spin) { return *make_spacetime("kerr", MetricParameters{{"spin", spin}}); }
 DistantLight light_of(const std::shared_ptr<const Spacetime>& spacetime, double inclination_deg) {
@@ -45,13 +45,13 @@ public:
     }
     std::optional<RayRecord::Crossing> crossing(double alpha, double beta) const {
         RayQuery query;
-        query.r = kFar, query.theta = inclination_;
-        query.n = {-1, -beta / kFar, alpha / kFar};
+        query.r = kFarLine, query.theta = inclination_;
+        query.n = {-1, -beta / kFarLine, alpha / kFarLine};
         const auto ray = reference::trace_ray(scene_, query, 1, &*matter_);
         REQUIRE(ray);
         if (ray->crossings.empty()) return std::nullopt;
         RayRecord::Crossing met = ray->crossings[0];
-        met.g *= std::sqrt(1 - 1 / kFar);  // at infinity
+        met.g *= std::sqrt(1 - 1 / kFarLine);  // at infinity
         return met;
     }
 
@@ -94,8 +94,8 @@ TEST_CASE("line profile: extremes of g of rings") {
 }
 
 TEST_CASE("line profile: rays cross where the reference's do") {
-    constexpr double kCosine = 1e-6;        // the reference's is a root of 1 less squares
-    constexpr double kObserver = 2 / kFar;  // that is so near, over the radius
+    constexpr double kCosine = 1e-6;            // the reference's is a root of 1 less squares
+    constexpr double kObserver = 2 / kFarLine;  // that is so near, over the radius
     for (const SpacetimeSpec& spec : kSpecs)
         for (const double inclination_deg : {20.0, 75.0}) {
             CAPTURE(spec.metric);
