@@ -383,7 +383,7 @@ std::vector<std::size_t> shader_bodies(const Scene& scene) {
 
 BodyText body_text(const Scene& scene, const EffectSet& effects) {
     const bool mino = light_path_kind(effects) == LightPathKind::kMino;
-    const std::vector<Group> groups = groups_of(scene, mino);
+    const auto groups = groups_of(scene, mino);
     BodyText text;
     text.materials = materials_of(scene);
     text.medium = medium_text(scene);
@@ -391,8 +391,7 @@ BodyText body_text(const Scene& scene, const EffectSet& effects) {
     text.law_by_place = scene.medium && scene.medium->law_row().temperature;
     text.objects = objects_text(groups, scene);
     if (groups.empty()) return text;
-    text.surfaces = surfaces_text(groups);
-    text.march = march_text(groups, scene, effects);
+    text.surfaces = surfaces_text(groups), text.march = march_text(groups, scene, effects);
     if (!mino) text.hit = hit_text(groups);
     text.light = lights_text(groups, scene);
     return text;
