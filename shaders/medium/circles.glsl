@@ -34,31 +34,38 @@ float medium_g_at_rate(MediumPlace place, float rate) {
     return sqrt(max(norm, 1.0e-6)) / max(place.energy - place.momentum * rate, 1.0e-6);
 }
 
-// Of matter that goes round at a rate, c/r_s; and with angular momentum l for its energy, r_s.
-MediumMatter medium_going_round(MediumPlace place, MediumMatter matter, float rate) {
+// What circles about the axis ask of the metric: sin^2(theta), Delta, Sigma, A = (r^2 + a^2)^2 - a^2 Delta sin^2(theta), 2 m(r) r a.
+struct CircleMetric {
+    float sine2;
+    float delta;
+    float sigma;
+    float area;
+    float drag;
+};
+
+CircleMetric circle_metric(MediumPlace place) {
     float a = frame.medium_hole.x;
     float r2a2 = place.r * place.r + a * a;
     float sine2 = max(1.0 - place.cosine * place.cosine, 1.0e-12);
     float delta = max((place.r - frame.medium_hole.y) * (place.r - frame.medium_hole.z), 1.0e-12);
     float sigma = place.r * place.r + a * a * (1.0 - sine2);
     float area = r2a2 * r2a2 - a * a * delta * sine2;
-    float drag = a * (r2a2 - delta);
-    float speed = clamp((rate - drag / area) * area * sqrt(sine2 / delta) / sigma, -0.999999, 0.999999);
+    return CircleMetric(sine2, delta, sigma, area, a * (r2a2 - delta));
+}
+
+// Of matter that goes round at a rate, c/r_s; and with angular momentum l for its energy, r_s.
+MediumMatter medium_going_round(MediumPlace place, MediumMatter matter, float rate) {
+    CircleMetric m = circle_metric(place);
+    float speed = clamp((rate - m.drag / m.area) * m.area * sqrt(m.sine2 / m.delta) / m.sigma, -0.999999, 0.999999);
     matter.velocity = vec3(0.0, 0.0, speed * inversesqrt(1.0 - speed * speed));
     matter.g = medium_g_at_rate(place, rate);
     return matter;
 }
 
 MediumMatter medium_with_momentum(MediumPlace place, MediumMatter matter, float l) {
-    float a = frame.medium_hole.x;
-    float r2a2 = place.r * place.r + a * a;
-    float sine2 = max(1.0 - place.cosine * place.cosine, 1.0e-12);
-    float delta = max((place.r - frame.medium_hole.y) * (place.r - frame.medium_hole.z), 1.0e-12);
-    float sigma = place.r * place.r + a * a * (1.0 - sine2);
-    float area = r2a2 * r2a2 - a * a * delta * sine2;
-    float drag = a * (r2a2 - delta);
+    CircleMetric m = circle_metric(place);
     // u_phi = -l u_t, alpha gamma = -(u_t + omega u_phi): speed = l alpha/((1 - omega l) sqrt(g_phiphi))
-    float speed = clamp(l * sigma * sqrt(delta / sine2) / (area - drag * l), -0.999999, 0.999999);
+    float speed = clamp(l * m.sigma * sqrt(m.delta / m.sine2) / (m.area - m.drag * l), -0.999999, 0.999999);
     matter.velocity = vec3(0.0, 0.0, speed * inversesqrt(1.0 - speed * speed));
     matter.g = medium_g(place, l);
     return matter;

@@ -5,16 +5,13 @@
 #include "medium/place.glsl"
 #include "medium/warmth.glsl"
 
-#define JET_STEP 0.15    // of the cone's radius, across it
-#define JET_ALONG 0.03   // of r
-
 MediumMatter medium_matter(MediumPlace place) {
     float sine2 = (place.at.x * place.at.x + place.at.y * place.at.y) / (place.r * place.r);
     float across = max(1.0 - sine2 / (JET_SINE * JET_SINE), 0.0);
     float x = log(place.r) - JET_BEGIN;
     float rim = clamp(min(x, JET_LENGTH - x) / JET_RIM, 0.0, 1.0);
-    float along = place.r * min(JET_ALONG, JET_STEP * JET_RIM);
-    MediumMatter matter = medium_nothing_there(min(min(JET_STEP * JET_SINE * place.r, along), medium_to_horizon(place)));
+    float step = place.r * min(JET_ACROSS, JET_ALONG);
+    MediumMatter matter = medium_nothing_there(min(step, medium_to_horizon(place)));
     matter.density = JET_DENSITY * across * across * rim * rim * (3.0 - 2.0 * rim) * exp(clamp(-JET_FALLOFF * x, -80.0, 80.0));
     return medium_moving(place, medium_warm(place, matter), vec3(JET_SPEED, 0.0, 0.0));
 }

@@ -30,6 +30,16 @@ std::vector<SceneKey> jet_keys() {
     };
 }
 
+// Between the rims in ln r; the width of one; how long a sample may be, over r: across a cone, along it.
+struct ConeSteps {
+    double length, rim, across, along;
+};
+ConeSteps cone_steps(const MediumSpec& m) {
+    constexpr double kAcross = 0.15, kAlong = 0.03;  // of the cone's radius and of a rim; of r
+    const double length = std::log(m.outer / m.inner), rim = std::min(m.edge, 0.5 * length);
+    return {length, rim, kAcross * std::sin(m.jet.opening), std::min(kAlong, kAcross * rim)};
+}
+
 void jet_faults(const Spacetime& spacetime, const Scene& scene, std::vector<SceneFault>& faults) {
     const auto hole = medium_hole(spacetime);
     if (hole && scene.medium->inner <= hole->outer)
@@ -39,29 +49,31 @@ void jet_faults(const Spacetime& spacetime, const Scene& scene, std::vector<Scen
     if (m.density_scale * std::pow(m.outer / m.inner, -m.jet.falloff) > MediumGrid::kDensest)
         faults.push_back({"medium.falloff", fmt::format("{} makes the far end too dense", m.jet.falloff),
                           fmt::format("densities of at most {:g} at medium.outer", MediumGrid::kDensest)});
-    // The march takes so many spans of four samples at most; along the axis each is as long as in jet.glsl.
-    constexpr double kMostSpans = 900, kAcross = 0.15, kAlong = 0.03;
-    const double length = std::log(m.outer / m.inner), rim = std::min(m.edge, 0.5 * length),
-                 span = 4 * m.step * std::min({kAcross * std::sin(m.jet.opening), kAlong, kAcross * rim});
-    if (length > kMostSpans * span)
+    constexpr double kMostSpans = 900;  // of four samples; the march takes 1024
+    const ConeSteps steps = cone_steps(m);
+    const double span = 4 * m.step * std::min(steps.across, steps.along);
+    if (steps.length > kMostSpans * span)
         faults.push_back(
-            {"medium.opening", fmt::format("light along so long and narrow a jet takes {:.0f} spans", length / span),
+            {"medium.opening",
+             fmt::format("light along so long and narrow a jet takes {:.0f} spans", steps.length / span),
              fmt::format("at most {}: by a wider or shorter jet, a wider edge or a larger step", kMostSpans)});
 }
 
 std::vector<double> jet_values(const MediumFrame& f) {
     const MediumSpec& m = f.medium();
-    const double length = std::log(m.outer / m.inner);
+    const ConeSteps steps = cone_steps(m);
     return {m.inner,
             m.outer,
             std::log(m.inner),
-            length,
-            std::min(m.edge, 0.5 * length),
+            steps.length,
+            steps.rim,
             std::sin(m.jet.opening),
             std::cos(m.jet.opening),
             m.jet.falloff,
             std::sqrt((m.jet.lorentz - 1.0) * (m.jet.lorentz + 1.0)),
-            m.density_scale};
+            m.density_scale,
+            steps.across,
+            steps.along};
 }
 
 }  // namespace
@@ -84,7 +96,10 @@ const MediumModel kJetModel{
     .least_step = [](const MediumSpec& m) { return kLeastConeStep * std::sin(m.jet.opening) * m.inner; },
     .moves = nullptr,
     .faults = jet_faults,
-    .numbers = "JET_INNER JET_OUTER JET_BEGIN JET_LENGTH JET_RIM JET_SINE JET_COSINE JET_FALLOFF JET_SPEED JET_DENSITY",
+    .numbers =
+        "JET_INNER JET_OUTER JET_BEGIN JET_LENGTH JET_RIM JET_SINE JET_COSINE JET_FALLOFF JET_SPEED JET_DENSITY "
+        "JET_ACROSS "
+        "JET_ALONG",
     .values = jet_values,
     .before = massive_hole,
     .with = [](Scene& s) { s.medium.emplace().kind = MediumKind::kJet; },
