@@ -17,7 +17,7 @@ namespace nullscope::cli {
 namespace {
 
 struct Options : BenchOptions {
-    Options() { scenes = {"sky-only"}, frames = 9; }
+    Options() { scenes = {"sky-only"}, frames = 7; }
     std::string plot, frontier;
     bool whole_frames = false;
 };

@@ -22,7 +22,9 @@ ROOT = Path(__file__).resolve().parents[2]
 PAGES = sorted([*(ROOT / "docs").rglob("*.md"), *ROOT.glob("*.md")])
 DRAWN_BY = [ROOT / "scripts/figures.sh", ROOT / "scripts/gallery.py"]
 PICTURES = {".png", ".jpg", ".svg"}
-QUICKLY_RUN = {"tutorial.md", "command-line.md"}
+# Long pages whose commands are run at quick depth: all, or one of them where NULLSCOPE_RUN numbers the runs.
+LONG_PAGES = ["tutorial.md", "command-line.md"]
+QUICKLY_RUN = LONG_PAGES if "NULLSCOPE_RUN" not in os.environ else LONG_PAGES[int(os.environ["NULLSCOPE_RUN"]) % 2:][:1]
 COMMAND = re.compile(r"(?:build/release/bin/)?nullscope(?:-viewer)? ")
 
 

@@ -368,6 +368,7 @@ class Provenance(support.CliTest):
 
 
 class Tiff(support.CliTest):
+    @support.costly
     def test_a_tiff_is_the_png_in_16_bits(self):
         """Read by hand, and by ffmpeg's own decoder; marks over it too. 1: the driver's rounding to 8 bits, 0.74 where measured."""
         split = self.write("split.toml", '[camera]\nr = 8\n[sky]\nkind = "stars"\n[split]\nmetric = "kerr"\n[picture]\nbloom = 0.2\n')
