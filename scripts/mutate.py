@@ -4,8 +4,8 @@
     scripts/mutate.py                 all of them, as a Markdown table; some fifteen minutes on two cores
     scripts/mutate.py --list          their names
     scripts/mutate.py NAME...         only these
-    scripts/mutate.py --check         builds nothing: does the text of every mutant occur exactly once in its file?
-    scripts/mutate.py --self-test     does --check report a text that is missing and one that occurs twice?
+    scripts/mutate.py --check         builds nothing: does the text of every mutant occur exactly once in its file, and is its test there?
+    scripts/mutate.py --self-test     does --check report a text that is missing or occurs twice, and a test that is missing?
     --build FOLDER                    the build folder (default build/release), configured before
 
 A mutant is a replacement of one piece of text in one file of shaders/ or src/. The file is changed in place, the one
@@ -14,7 +14,10 @@ committed are not touched. Before that, every test has to pass without a mutant.
 test is missing.
 """
 import argparse
+import fnmatch
+import functools
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -83,7 +86,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("mino", "half of the mass in the orbit of 1/r about a rotating hole", "shaders/mino/kerr.glsl",
      "1.5 * ray.k - 2.0", "0.75 * ray.k - 2.0", ("gpu_tests", "kerr: the shadow*")),
     ("sixth-order", "one weight of the sixth-order step about a rotating hole", "shaders/mino/step.glsl",
-     "f3 * (275.0 / 252.0) -", "f3 * (276.0 / 252.0) -", ("gpu_tests", "kerr methods: half*")),
+     "f3 * (275.0 / 252.0) -", "f3 * (276.0 / 252.0) -", ("gpu_tests", "kerr methods: a shorter*")),
     ("spin-dips", "bodies about a rotating hole that a ray just touches, missed", "src/reference/first_change.h",
      "if (dip <= 0) return first_change", "if (dip <= -1) return first_change", ("unit_tests", "kerr bodies*")),
     ("spin-azimuth", "Kerr-Schild azimuth where Boyer-Lindquist is meant", "src/reference/kerr_trace.h",
@@ -248,22 +251,40 @@ def occurrences(root, mutant):
     return path.read_text().count(mutant.old) if path.is_file() else 0
 
 
+@functools.cache
+def cases_of(root, program):
+    """Names of the test cases in the folder of a program's tests, joined where they go on in the next line."""
+    text = "\n".join(path.read_text() for path in sorted((root / "tests" / program.removesuffix("_tests")).glob("*.cpp")))
+    return ["".join(re.findall(r'"((?:[^"\\]|\\.)*)"', literals)) for literals in re.findall(r'TEST_CASE\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', text)]
+
+
+def has_test(root, program, case):
+    if program == "cli":
+        return (root / "tests/cli" / case).is_file()
+    return any(fnmatch.fnmatchcase(name.lower(), case.lower()) for name in cases_of(root, program))   # as doctest's -tc matches
+
+
 def check(root, mutants):
-    """One line for each mutant whose text does not occur exactly once in its file, or that changes nothing."""
+    """One line for each mutant whose text does not occur exactly once in its file, that changes nothing, or whose test is not there."""
     lost = [f"{mutant.name}: its text occurs {occurrences(root, mutant)} times in {mutant.file}"
             for mutant in mutants if occurrences(root, mutant) != 1]
-    return lost + [f"{mutant.name}: changes nothing" for mutant in mutants if mutant.old == mutant.new]
+    lost += [f"{mutant.name}: changes nothing" for mutant in mutants if mutant.old == mutant.new]
+    return lost + [f"{mutant.name}: no test {': '.join(mutant.test)}" for mutant in mutants if not has_test(root, *mutant.test)]
 
 
 def self_test():
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         (root / "a.txt").write_text("once twice twice")
-        samples = [Mutant(name, "", file, old, new, ()) for name, file, old, new in [
-            ("good", "a.txt", "once", "x"), ("missing", "a.txt", "never", "x"), ("twice", "a.txt", "twice", "x"),
-            ("no-file", "b.txt", "once", "x"), ("equal", "a.txt", "once", "once")]]
+        (root / "tests/unit").mkdir(parents=True)
+        (root / "tests/unit/a.cpp").write_text('TEST_CASE("a: first "\n"part, and more" * test::costly()) {}')
+        there = ("unit_tests", "a: first part*")
+        samples = [Mutant(name, "", file, old, new, test) for name, file, old, new, test in [
+            ("good", "a.txt", "once", "x", there), ("missing", "a.txt", "never", "x", there), ("twice", "a.txt", "twice", "x", there),
+            ("no-file", "b.txt", "once", "x", there), ("equal", "a.txt", "once", "once", there),
+            ("no-case", "a.txt", "once", "x", ("unit_tests", "first*")), ("no-test", "a.txt", "once", "x", ("cli", "test_a.py"))]]
         reported = [line.split(":")[0] for line in check(root, samples)]
-        if reported != ["missing", "twice", "no-file", "equal"]:
+        if reported != ["missing", "twice", "no-file", "equal", "no-case", "no-test"]:
             print(f"mutate: the self-test reported {reported}", file=sys.stderr)
             return 1
     return 0
@@ -320,7 +341,7 @@ def main():
         return self_test()
     if options.check:
         lost = check(ROOT, MUTANTS)
-        print("\n".join(lost) or f"mutate: each of {len(MUTANTS)} mutants finds its text once")
+        print("\n".join(lost) or f"mutate: each of {len(MUTANTS)} mutants finds its text once, and its test")
         return 1 if lost else 0
     unknown = [name for name in options.names if name not in names]
     if unknown:
