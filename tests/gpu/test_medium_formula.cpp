@@ -99,6 +99,10 @@ TEST_CASE("medium: closed forms of a thin sphere, a thick one and a slab" * test
         ions.medium->formulas.density = "1e14";
         const double hot = reference::planck(1e6, 10e9) / medium_light_cgs(10);
         check_closed(session, "thick sphere, bremsstrahlung", ions, [&](double b) { return b < 1 ? hot : 0.0; });
+        // Beyond Rayleigh and Jeans' law, by exp(-4.8).
+        ions.medium->formulas.density = "1e20", ions.medium->frequency_GHz = 1e8;
+        const double wien = reference::planck(1e6, 1e17) / medium_light_cgs(1e8);
+        check_closed(session, "thick sphere, X-rays", ions, [&](double b) { return b < 1 ? wien : 0.0; });
 
         Scene warm = formula_scene("minkowski", 0, MediumEmission::kBlackBody);
         warm.medium->formulas.temperature = "5000", warm.medium->temperature_K = 6000, warm.medium->opacity = 1e6;

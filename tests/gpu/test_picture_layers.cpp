@@ -81,10 +81,12 @@ TEST_CASE("picture layers: matter is hit where its light comes from, and has the
     constexpr double kRadius = 0.4, kPlace = 0.05, kDepth = 0.06;  // r_s: the cloud is 0.16 wide
     on_one_context([&](GpuSession& session) {
         session.renderer->want_delays(true);
-        const std::string_view rotating = "kerr";  // at quick depth with one of the emission laws, the others with the other
+        const std::string_view rotating =
+            "kerr";  // at quick depth with one of the emission laws, the others with the other
         for (const char* metric : {"minkowski", "schwarzschild", "kerr"})
             for (const MediumEmission emission : {MediumEmission::kBlackBody, MediumEmission::kPowerLaw}) {
-                if (depth() == Depth::kQuick && (metric == rotating) != (emission == MediumEmission::kPowerLaw)) continue;
+                if (depth() == Depth::kQuick && (metric == rotating) != (emission == MediumEmission::kPowerLaw))
+                    continue;
                 CAPTURE(metric);
                 Scene scene;
                 scene.spacetime.metric = metric;
