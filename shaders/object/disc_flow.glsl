@@ -18,10 +18,11 @@ vec4 disc_flow(DiscCrossing crossing, float delay) {
     vec2 outward = crossing.place * zeta;
     vec2 around = vec2(-outward.y, outward.x);
     vec4 sum = vec4(0.0);
+    float phase = frame.disc_winding.x - delay * frame.disc_winding.y;
+    float part = phase - floor(phase);
+    float copy = frame.disc_copy.x + floor(phase);
+    float weight = 1.0 - abs(2.0 * part - 1.0);
     for (int i = 0; i < 2; ++i) {
-        float phase = frame.disc_winding.x - delay * frame.disc_winding.y + 0.5 * float(i);
-        float copy = floor(phase);
-        float part = phase - copy;
         float age = (part - 0.5) / frame.disc_winding.y;
         float angle = orbit.x * age + 6.28318530717958647693 * fract(DISC_GOLDEN * (copy - DISC_COPIES * floor(copy / DISC_COPIES)));
         float shear = -zeta * orbit.y * age;   // across for each step outward
@@ -29,7 +30,10 @@ vec4 disc_flow(DiscCrossing crossing, float delay) {
         vec2 b = crossing.across - around * (shear * dot(crossing.across, outward));
         float c = cos(angle);
         float s = sin(angle);
-        sum += disc_cover(disc_turned(crossing.place, c, s), disc_turned(a, c, s), disc_turned(b, c, s)) * (1.0 - abs(2.0 * part - 1.0));
+        sum += disc_cover(disc_turned(crossing.place, c, s), disc_turned(a, c, s), disc_turned(b, c, s)) * weight;
+        weight = 1.0 - weight;   // the sum of both is 1, however coarse a float of many lives is
+        copy += part < 0.5 ? 0.0 : 1.0;
+        part += part < 0.5 ? 0.5 : -0.5;
     }
     return sum;
 }

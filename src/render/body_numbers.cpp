@@ -171,7 +171,9 @@ void put_moving(FrameData& frame, const FramePlan& plan) {
     if (!disc || disc->flow != DiscFlowKind::kKepler) return;
     const auto [first, second] = circular_rate_numbers(*plan.matter);
     const double lives = late_time(plan) / disc->flow_life;
-    frame.disc_winding = {lives - kCopies * std::floor(lives / kCopies), 1.0 / disc->flow_life, first, second};
+    const double copy = std::floor(lives);
+    frame.disc_winding = {lives - copy, 1.0 / disc->flow_life, first, second};
+    frame.disc_copy = {copy - kCopies * std::floor(copy / kCopies), 0, 0, 0};
 }
 
 }  // namespace nullscope

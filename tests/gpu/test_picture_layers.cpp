@@ -65,6 +65,21 @@ TEST_CASE("picture layers: they add up to the picture, shares to one" * test::co
     });
 }
 
+TEST_CASE("picture layers: a disc that has flowed for thousands of lives hides what it hides, no more") {
+    on_one_context([](GpuSession& session) {
+        Scene scene;
+        scene.camera.width = 64, scene.camera.height = 36, scene.time = 163'834.3;  // 4095.86 lives
+        scene.disc.emplace().flow = DiscFlowKind::kKepler;
+        add<BallSpec>(scene).position = {0, 0, -5};
+        REQUIRE(session.renderer->prepare(scene));
+        for (const LayerImage& layer : draw_layers(*session.renderer).each) {
+            CAPTURE(layer.name);
+            CHECK(*std::ranges::min_element(layer.light.data) >= 0);
+            CHECK(*std::ranges::max_element(layer.share) <= 1);
+        }
+    });
+}
+
 // A cloud of this density in the middle of a scene's ball, which is left out.
 Scene with_cloud(Scene scene, MediumEmission emission) {
     const Vec3 at = first_shape<BallSpec>(scene)->position;
