@@ -74,15 +74,15 @@ std::vector<SceneKey> common_keys() {
         {"medium", "kind", KeyType::kChoice, "", "gas", kNoRange, kinds,
          kept(fmt::format("What the matter is: {}.", each)), [](auto& s) { return &s.medium->kind; }},
         {"medium", "colour", KeyType::kColour, "", "[1, 1, 1]", closed(0.0, 1e6), "",
-         "Multiplies its light, by linear colour. Where that is of one frequency, 1 stands for a brightness "
-         "temperature of "
+         "Linear colour that multiplies its light. Where light is of one frequency, 1 is a brightness temperature of "
          "1e9 K.",
          [](auto& s) { return &s.medium->colour; }},
         {"medium", "brightness", KeyType::kNumber, "", "1", kBrightness, "",
-         "Multiplies its light; of gas and of black bodies 1 is a black body of `temperature`.",
+         "Multiplies its light; 1 is, for gas and black bodies, a black body of `temperature`.",
          [](auto& s) { return &s.medium->brightness; }},
         {"medium", "step", KeyType::kNumber, "", "1", closed(0.05, 4.0), "",
-         "Length of the march's steps over the usual one: less is more exact, and slower; 0.25 to measure clumpy gas.",
+         "Step length along rays over the default one: smaller is more accurate and slower; 0.25 to measure clumpy "
+         "gas.",
          [](auto& s) { return &s.medium->step; }},
     };
 }
@@ -108,7 +108,8 @@ std::vector<SceneKey> extent_keys() {
     const std::string_view with = kinds_with(kSphere);
     return {
         {"medium", "field_direction", KeyType::kChoice, "", "isotropic", kNoRange, "isotropic out south east file",
-         "Direction of the magnetic field in the frame of the matter; isotropic: the mean over all; file: that of kind "
+         "Direction of the magnetic field in the frame of the matter; isotropic: the mean over all directions; file: "
+         "that of kind "
          "= \"grid\". Needs emission = \"synchrotron\".",
          [](auto& s) { return &s.medium->field_direction; }, is_synchrotron, kSynchrotron},
         {"medium", "height", KeyType::kNumber, "r_s", "1e6", kPositive, "",
@@ -118,7 +119,8 @@ std::vector<SceneKey> extent_keys() {
          "Optical depth for each r_s where the density is 1. Needs emission = \"black-body\".",
          [](auto& s) { return &s.medium->opacity; }, is_black_body, kBlackBody},
         {"medium", "steps", KeyType::kWhole, "", "64", closed(16.0, 1024.0), "",
-         kept(fmt::format("Samples across the sphere of radius outer; what is thinner may be missed. Needs {}.", with)),
+         kept(fmt::format("Samples across the sphere of radius outer; thinner structures may be missed. Needs {}.",
+                          with)),
          [](auto& s) { return &s.medium->steps; }, shared<kSphere>, with},
     };
 }

@@ -19,11 +19,11 @@ std::vector<SceneKey> grid_keys() {
     const std::string_view scaled = kinds_with(kDensityScale);
     return {
         {"medium", "file", KeyType::kFile, "", "", kNoRange, "grid of matter",
-         "The file of the matter; docs/matter.md has its format. Needs kind = \"grid\".",
+         "File with the matter; docs/matter.md has its format. Needs kind = \"grid\".",
          [](auto& s) { return &s.medium->grid.file; }, is_grid, kGrid, true},
         {"medium", "density_scale", KeyType::kNumber, "", "1", closed(1e-12, 1e12), "",
-         kept(fmt::format("Multiplies the densities of the model or the file, of synchrotron radiation electrons a "
-                          "cm^3; the magnetic field of a file is multiplied by the root of it. Needs {}.",
+         kept(fmt::format("Multiplies the density of model or file (with synchrotron and bremsstrahlung, electrons per "
+                          "cm^3), and the magnetic field of a file by its square root. Needs {}.",
                           scaled)),
          [](auto& s) { return &s.medium->density_scale; }, shared<kDensityScale>, scaled},
     };
@@ -72,7 +72,7 @@ std::vector<double> grid_values(const MediumFrame& f) {
 
 const MediumModel kFileModel{
     .word = "grid",
-    .what = "what a file has at the nodes of a grid",
+    .what = "values of a file at the nodes of a grid",
     .effect = {medium_effect(MediumKind::kGrid),
                "medium-grid",
                "EFFECT_MEDIUM_GRID",

@@ -20,8 +20,8 @@ std::vector<SceneKey> flow_keys() {
          "sphere. Needs kind = \"flow\".",
          [](auto& s) { return &s.medium->flow.flattening; }, is_flow, kFlow},
         {"medium", "angular_momentum", KeyType::kNumber, "", "1", closed(-1.0, 1.0), "",
-         "l0 of the angular momentum l = l0 R^1.5/(1 + R) of the matter for its energy, R = r sin(theta) in M; 0: "
-         "none. Needs kind = \"flow\".",
+         "l0 of the matter's angular momentum over energy, l = l0 R^1.5/(1 + R), R = r sin(theta) in M; 0: none. Needs "
+         "kind = \"flow\".",
          [](auto& s) { return &s.medium->flow.momentum; }, is_flow, kFlow},
     };
 }

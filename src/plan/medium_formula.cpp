@@ -27,22 +27,22 @@ std::vector<SceneKey> formula_keys() {
     return {
         formula(
             "density", "", "exp(-r^2/18)",
-            "Density at x, y, z (r_s), r from the centre, at time t: over that of emissivity or opacity; of "
-            "synchrotron radiation electrons a cm^3. Needs kind = \"formula\".",
+            "Density at x, y, z (r_s), radius r and time t: relative to that of emissivity or opacity; with "
+            "synchrotron and bremsstrahlung, electrons per cm^3. Needs kind = \"formula\".",
             [](auto& s) { return &s.medium->formulas.density; }, medium_is_formula, kFormula),
         formula(
             "local_temperature", "K", "1e4",
-            kept(fmt::format("Temperature at a place; of synchrotron radiation the electrons', which must be above "
-                             "5e8. Needs {}, with another emission than \"power-law\".",
+            kept(fmt::format("Temperature; with synchrotron that of the electrons, which emit nothing below 5e8. Needs "
+                             "{}, with another emission than \"power-law\".",
                              warm)),
             [](auto& s) { return &s.medium->formulas.temperature; }, is_warm, warm_law),
         formula(
             "field", "G", "10",
-            kept(fmt::format("Magnetic field at a place. Needs {}, with emission = \"synchrotron\".", warm)),
+            kept(fmt::format("Magnetic field strength. Needs {}, with emission = \"synchrotron\".", warm)),
             [](auto& s) { return &s.medium->formulas.field; }, has_field, field_law),
         formula(
             "velocity_out", "c", "0",
-            "Motion along the radius at a place, as gamma v, seen by the observer of no angular momentum there. Needs "
+            "Radial velocity, as gamma v, relative to the local zero-angular-momentum observer (ZAMO). Needs "
             "kind = \"formula\".",
             [](auto& s) { return &s.medium->formulas.outward; }, medium_is_formula, kFormula),
         formula(
@@ -69,7 +69,7 @@ const char* formula_moves(const MediumSpec& medium) {
 
 const MediumModel kFormulaModel{
     .word = "formula",
-    .what = "what the formulas of density, temperature and motion say",
+    .what = "given by formulas of density, temperature and motion",
     .effect = {medium_effect(MediumKind::kFormula),
                "medium-formula",
                "EFFECT_MEDIUM_FORMULA",

@@ -33,9 +33,8 @@ std::vector<SceneKey> medium_gas_keys() {
          kept(fmt::format("Width of both rims in ln r, within which the density fades. Needs {}.", kinds_with(kEdge))),
          [](auto& s) { return &s.medium->edge; }, shared<kEdge>, kinds_with(kEdge)},
         {"medium", "temperature", KeyType::kNumber, "K", "8000", closed(600.0, 1e9), "",
-         "Temperature at the inner radius, from where it falls as r^(-3/4); of emission = \"black-body\" that of light "
-         "1. "
-         "Needs one of these.",
+         "Temperature of gas at the inner radius, falling as r^(-3/4); with emission = \"black-body\" that of "
+         "brightness 1. Needs one of these.",
          [](auto& s) { return &s.medium->temperature_K; }, has_temperature,
          "kind = \"gas\" or emission = \"black-body\""},
         {"medium", "gas_contrast", KeyType::kNumber, "", "0.7", closed(0.0, 1.0), "",

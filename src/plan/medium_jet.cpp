@@ -20,11 +20,10 @@ std::vector<SceneKey> jet_keys() {
          "Half the opening angle of a jet's cones. Needs kind = \"jet\".",
          [](auto& s) { return &s.medium->jet.opening; }, is_jet, kJet},
         {"medium", "falloff", KeyType::kNumber, "", "2", closed(-10.0, 10.0), "",
-         "p of a jet's density (r/inner)^-p on the axis. Needs kind = \"jet\".",
+         "Exponent p of a jet's density (r/inner)^-p on the axis. Needs kind = \"jet\".",
          [](auto& s) { return &s.medium->jet.falloff; }, is_jet, kJet},
         {"medium", "lorentz", KeyType::kNumber, "", "3", closed(1.0, 1000.0), "",
-         "Lorentz factor of a jet, which flows out along the radius, seen by the observer of no angular momentum "
-         "there. "
+         "Lorentz factor of a jet's radial outflow, relative to the local zero-angular-momentum observer. "
          "Needs kind = \"jet\".",
          [](auto& s) { return &s.medium->jet.lorentz; }, is_jet, kJet},
     };

@@ -199,8 +199,7 @@ std::span<const Feature> picture_features() {
          [](Scene& s) { s.camera.warp = assets_directory() / "warp" / "mirror.data"; },
          nullptr,
          {{"camera", "warp", KeyType::kFile, "", "", kNoRange, "warp mesh",
-           "Mesh in Paul Bourke's format that lays the projection's picture out anew, for mirror domes and curved "
-           "screens.",
+           "Warp mesh in Paul Bourke's format, for mirror domes and curved screens.",
            [](auto& s) { return &s.camera.warp; },
            [](const Scene& s) { return s.camera.projection != Projection::kCube; }, "a projection that is no cube"}}},
     });

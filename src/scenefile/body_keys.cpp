@@ -103,8 +103,8 @@ std::vector<SceneKey> material_keys(std::string_view section) {
         {section, "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Multiplies its light.",
          [](auto& s) { return &Of::material(s).brightness; }},
         {section, "night", KeyType::kNumber, "", "1", closed(0.0, 1.0), "",
-         "Light of the side away from a far sun, over that of the place where it is overhead; Lambert's law between. "
-         "1: it shines by itself.",
+         "Light of the night side over that of the subsolar point of a distant sun; Lambert's law in between. 1: "
+         "self-luminous.",
          [](auto& s) { return &Of::material(s).night; }},
         sun_key<Of, &Material::sun_longitude>(section, "sun_longitude", kAnyAngle,
                                               "Longitude of that sun's direction; needs night below 1."),

@@ -88,7 +88,7 @@ constexpr SceneKey kKeys[] = {
      "The spacetime of the picture's right half.", [](auto& s) { return &s.split->metric; }},
     {"split", "delay", KeyType::kChoice, "", "on", kNoRange, "off on",
      "Whether the right half includes light-travel time.", [](auto& s) { return &s.split_delay; }},
-    on_off_key("split", "labels", "on", "Whether each half of the displayed picture says what differs.",
+    on_off_key("split", "labels", "on", "Whether a label on each half of the displayed picture says what differs.",
                [](auto& s) { return &s.split_labels.shown; }),
     {"split", "left_label", KeyType::kText, "", "", kNoRange, "",
      "Label of the left half; by default what differs between the halves.",
@@ -97,8 +97,7 @@ constexpr SceneKey kKeys[] = {
      [](auto& s) { return &s.split_labels.right; }},
 
     {"object", "name", KeyType::kChoice, "", "other", kNoRange, "other m87 sgr-a cygnus-x-1 gargantua",
-     "What the scene stands for: an object that gives mass and distance, or another, of its own.",
-     [](auto& s) { return &s.object.name; }},
+     "A known object, which sets mass and distance; other: they are set here.", [](auto& s) { return &s.object.name; }},
     {"object", "mass_suns", KeyType::kNumber, "M_sun", "", closed(1e-6, 1e12), "",
      "Mass of the object, by default that of name; needed by scale_bar = \"uas\".",
      [](auto& s) { return &s.object.mass_suns; }},
@@ -160,14 +159,14 @@ constexpr SceneKey kKeys[] = {
     {"camera", "shift_y", KeyType::kNumber, "", "0", kShift, "", "Likewise upward, in heights of the picture.",
      [](auto& s) { return &s.camera.shift_y; }},
     {"camera", "size", KeyType::kSize, "px", "[1280, 720]", closed(1.0, 65536.0), "",
-     "Width and height of the picture. Of a cube the default is [1536, 1024].", kPictureSize},
+     "Width and height of the picture. The default of a cube is [1536, 1024].", kPictureSize},
     {"camera", "pixel_aspect", KeyType::kNumber, "", "1", closed(0.1, 10.0), "", "Width of a pixel over its height.",
      [](auto& s) { return &s.camera.pixel_aspect; }},
     {"camera", "exposure", KeyType::kNumber, "EV", "0", closed(-30.0, 30.0), "",
      "The displayed brightness is multiplied by 2^exposure.", [](auto& s) { return &s.camera.exposure_ev; }},
 
     {"camera", "stereo", KeyType::kChoice, "", "off", kNoRange, "off pair all-round",
-     "Pictures for two eyes that look the same way: pair (side by side, left eye first, twice as wide as size); "
+     "Pictures for two parallel eyes: pair (side by side, left eye first, twice as wide as size); "
      "all-round "
      "(omnidirectional stereo of an equirectangular picture, the left eye's above the right one's, twice as high).",
      [](auto& s) { return &s.camera.stereo; }},
@@ -207,7 +206,7 @@ constexpr SceneKey kKeys[] = {
     {"sky", "kind", KeyType::kChoice, "", "stars", kNoRange,
      "stars image black nebula points plain checker grid stripes noise formula",
      "What is on the celestial sphere: the built-in stars and Milky Way as a picture, an image, nothing, the stars as "
-     "points, a made emission nebula with stars of its own, or one colour or a pattern of two.",
+     "points, a procedural emission nebula with stars of its own, one colour, or a pattern of two.",
      [](auto& s) { return &s.sky.kind; }},
     {"sky", "mapping", KeyType::kChoice, "", "equirectangular", kNoRange, "equirectangular band-and-caps",
      "How images cover the sphere: one image for all of it, or a band about the equator and a cap on each pole.",
@@ -251,9 +250,8 @@ constexpr SceneKey kKeys[] = {
      "For kind = \"points\": if above 0, this many identical stars of 5 772 K, uniformly distributed, replace the "
      "catalogue.",
      [](auto& s) { return &s.sky.uniform_stars; }, sky_is<SkyKind::kPoints>, "kind = \"points\""},
-    {"sky", "seed", KeyType::kWhole, "", "1", closed(0.0, 1000000.0), "",
-     "For kind = \"nebula\": which of the nebulae that the formula makes.", [](auto& s) { return &s.sky.nebula.seed; },
-     sky_is<SkyKind::kNebula>, "kind = \"nebula\""},
+    {"sky", "seed", KeyType::kWhole, "", "1", closed(0.0, 1000000.0), "", "For kind = \"nebula\": seed of its noise.",
+     [](auto& s) { return &s.sky.nebula.seed; }, sky_is<SkyKind::kNebula>, "kind = \"nebula\""},
     {"sky", "hydrogen", KeyType::kColour, "", "[1, 0.16, 0.2]", closed(0.0, 1000.0), "",
      "For kind = \"nebula\": colour of its hydrogen, linear red, green and blue.",
      [](auto& s) { return &s.sky.nebula.hydrogen; }, sky_is<SkyKind::kNebula>, "kind = \"nebula\""},
@@ -317,8 +315,8 @@ constexpr SceneKey kKeys[] = {
      "How image or texture moves: not at all, or each ring at the orbital speed of the matter.",
      [](auto& s) { return &s.disc->flow; }},
     {"disc", "flow_life", KeyType::kNumber, "r_s/c", "40", kPositive, "",
-     "How long a copy of the pattern is sheared before it has faded into the next; needs flow = \"kepler\", and not of "
-     "gas.",
+     "Time for which a copy of the pattern is sheared before it has faded into the next; needs flow = \"kepler\", not "
+     "used by gas.",
      [](auto& s) { return &s.disc->flow_life; },
      [](const Scene& s) {
          return s.disc->flow == DiscFlowKind::kKepler && s.disc->material.texture != TextureKind::kGas;
@@ -344,20 +342,19 @@ constexpr SceneKey kKeys[] = {
     on_off_key("light", "beaming", "on", "Whether they change its brightness.",
                [](auto& s) { return &s.light.beaming; }),
     on_off_key("light", "doppler", "on",
-               "Whether frequencies have the Doppler part of g: the motion of matter and camera.",
+               "Whether the redshift factor g includes the Doppler shift: the motion of matter and camera.",
                [](auto& s) { return &s.light.doppler; }),
-    on_off_key("light", "gravity", "on", "Whether frequencies have the gravitational part of g.",
+    on_off_key("light", "gravity", "on", "Whether g includes the gravitational shift.",
                [](auto& s) { return &s.light.gravity; }),
     on_off_key("light", "aberration", "on",
                "Whether the camera's motion changes the directions from which light arrives.",
                [](auto& s) { return &s.light.aberration; }),
-    on_off_key(
-        "light", "delay", "on",
-        "Whether light-travel time counts: on, moving things appear where they were when their light left; off, where "
-        "they are now.",
-        [](auto& s) { return &s.light.delay; }),
+    on_off_key("light", "delay", "on",
+               "Whether light-travel time is included; on: moving objects appear where they were when their light "
+               "left; off: where they are now.",
+               [](auto& s) { return &s.light.delay; }),
     on_off_key("light", "lensing", "on",
-               "Whether light follows the geodesics of the metric; off, it travels straight and all else stays.",
+               "Whether light follows the geodesics of the metric; off: straight lines, all else unchanged.",
                [](auto& s) { return &s.light.lensing; }),
     {"light", "band", KeyType::kChoice, "", "visual", kNoRange, "visual bolometric",
      "Brightness of thermal emission: as the eye sees it, or power at all wavelengths.",
@@ -367,11 +364,11 @@ constexpr SceneKey kKeys[] = {
      "Tone curve: 1 - exp(-x), a fit of the ACES film curve, or Khronos' neutral curve.",
      [](auto& s) { return &s.picture.tone; }},
     {"picture", "shutter", KeyType::kNumber, "", "0", closed(0.0, 1.0), "",
-     "Motion blur of films: for which part of the time from frame to frame light is gathered, half of it before the "
-     "frame's own time. 0.5 is a film camera's usual 180 degrees.",
+     "Motion blur of films: fraction of the frame interval for which the shutter is open, centred on the frame's time. "
+     "0.5 is a film camera's usual 180 degrees.",
      [](auto& s) { return &s.picture.shutter; }},
     {"picture", "sub_frames", KeyType::kWhole, "", "16", closed(1.0, 256.0), "",
-     "Pictures of which a frame's light is then the mean, if anything moves.",
+     "Number of pictures averaged for each frame with motion blur, if anything moves.",
      [](auto& s) { return &s.picture.sub_frames; }},
     {"picture", "scale_bar", KeyType::kChoice, "", "off", kNoRange, "off M r_s uas",
      "A bar of a round length over the displayed picture: in M = GM/c^2, in r_s, or in microarcseconds at the "
