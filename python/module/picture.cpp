@@ -40,7 +40,7 @@ Status check(const Asked& asked) {
     if (asked.time && !(*asked.time >= -1e9 && *asked.time <= 1e9))
         return bad_key("time", fmt::format("{} is out of range", *asked.time), "[-1e9, 1e9]");
     if (asked.renderer == "reference" && (asked.method != "auto" || asked.max_error || asked.context != "auto"))
-        return bad_input("method, max_error and context: the reference has no shader and no GL",
+        return bad_input("method, max_error and context: the reference tracer does not use the shader or OpenGL",
                          "with renderer=\"gl\"");
     return Done{};
 }
@@ -129,7 +129,8 @@ auto raydata(const Scene& scene, const Asked& asked, const nb::object& progress)
         options.listener = watch.listener();
         options.raydata = true;
         TRY(shot, shot_of(scene, asked, options.listener));
-        if (shot->scene.split) return bad_input("--raydata is of one spacetime; leave out [split] of the scene");
+        if (shot->scene.split)
+            return bad_input("--raydata works for one spacetime only; leave out [split] of the scene");
         TRY(stereo, cli::check_stereo(shot->scene, options, false));
         const Scene now = cli::scene_at(*shot, 0.0, asked.frame.value_or(0));
         return with_session(*shot, asked, [&](cli::Session* session) -> Result<RayFrame> {

@@ -114,7 +114,7 @@ void print_frontier(const std::vector<Row>& rows) {
     std::string names;
     for (const Row& row : rows)
         if (row.on_frontier) names += (names.empty() ? "" : ", ") + row.name;
-    fmt::print("\nNo other is as exact for less: {}\n", names);
+    fmt::print("\nOn the frontier (no other is at least as accurate at lower cost): {}\n", names);
 }
 
 void print_whole_frames(const std::vector<Row>& rows) {

@@ -175,10 +175,10 @@ Result<Job> job_of(const CaptureOptions& options, const OpenedScene& opened) {
     TRY(seen, check_stereo(job.scene, options.drawing(), !options.split.empty()));
     TRY(faces, check_faces(job.scene, options));
     if (job.path && job.path->falls() && options.time_step != 0)
-        return bad_input("--time-step: the scene's time goes with the camera that falls",
+        return bad_input("--time-step: the fall of the camera sets the scene's time",
                          "scenes whose path.kind is not fall");
     if (options.time_step != 0 && options.to_one_picture() && job.scene.picture.shutter <= 0.0)
-        return bad_input("--time-step: one picture is of one moment, without picture.shutter",
+        return bad_input("--time-step: no effect on one picture without picture.shutter",
                          "with --frames A:B, or a scene with picture.shutter");
     TRY(frames, frames_of(options, job.path ? &*job.path : nullptr));
     job.frames = *frames;
@@ -355,7 +355,7 @@ Status run_capture(const CaptureOptions& given) {
     if (options.dump_shader) return dump_shader(run->opened.scene, options);
     TRY(job, job_of(options, run->opened));
     if (!options.quiet && job->scene.picture.shutter > 0.0 && !job->path && options.time_step == 0)
-        fmt::print(stderr, "picture.shutter: all is at rest without a [path] or --time-step\n");
+        fmt::print(stderr, "picture.shutter: no motion blur, as nothing moves without a [path] or --time-step\n");
     if (!options.quiet && job->scene.picture.shutter > 0.0) say_dots(*job, options.time_step);
     if (!options.quiet) say_backwards(*job);
     TRY(store, store_of(*job, options));

@@ -83,11 +83,11 @@ void add_capture_options(Command& command, CaptureOptions& options) {
                   "Scene time between two frames of --frames and films, r_s/c; not for a falling camera, whose path "
                   "sets the time");
     number_option(command, "--time-frame", options.time_frame, 0, 1e8,
-                  "Frame that has the scene's time, for a scene without a [path] (default: the first of --frames)")
+                  "Frame at which time is the scene's, for a scene without a [path] (default: the first of --frames)")
         .needs("--frames");
     command.add_option("--frames", &options.frames,
                        "A:B draws frames A to B-1 of the scene's [path], or in steps of --time-step; -o then needs a "
-                       "place for the frame number (%05d, %d or #####) or is a film");
+                       "placeholder for the frame number (%05d, %d or #####) or is a film");
     number_option(command, "--workers", options.workers, 1, 64,
                   "Processes that draw the frames of a sequence or film together");
     command.add_flag(
@@ -102,34 +102,32 @@ void add_capture_options(Command& command, CaptureOptions& options) {
                   "Largest texture side in pixels: larger images are reduced while they are read (default: the "
                   "driver's limit)");
     number_option(command, "--quality", options.quality, 1, 100,
-                  fmt::format("Quality of a .jpg: less makes smaller files (default {})", kJpegQuality));
+                  fmt::format("Quality of a .jpg: lower means smaller files (default {})", kJpegQuality));
     command.add_flag(
         "--plain", &options.plain,
         fmt::format("No dividing line, labels or scale bar over a displayed picture or film ({} have none)",
                     format_endings(" and ", [](const PictureFormat& f) { return f.sample == Sample::kLight; })));
     command.add_flag("--quiet", &options.quiet,
-                     "No notes on standard error: what of an image is not used, what would be smoother");
+                     "No notes on standard error: unused parts of images, hints on smoother pictures");
     command.add_flag(
         "--half", &options.half,
         "Write an EXR's colours as half floats: half the size, three digits, at most 65504; without --raydata and "
         "--split");
     command.add_flag("--raydata", &options.raydata,
                      "Also write where each pixel's ray ends, as channels of the EXR (docs/ray-data.md)");
-    command.add_flag(
-        "--layers", &options.layers,
-        "Write what compositing needs as channels of the EXR: the disc's image orders, bodies and sky apart, what "
-        "covers the sky, ray data, ST maps, in sequences motion vectors (docs/layers.md)");
+    command.add_flag("--layers", &options.layers,
+                     "Write layers for compositing as channels of the EXR: image orders of the disc, bodies, sky, "
+                     "coverage, ray data, ST maps, in sequences motion vectors (docs/layers.md)");
     command
         .add_option(
             "--st-map", &options.st_map,
             "Instead of colours write where each pixel looks: on a panorama of the sky, or on a flat plate that the "
-            "same camera would see if light ran straight (docs/layers.md)")
+            "same camera would see if light travelled straight (docs/layers.md)")
         .one_of({"sky", "plate"});
-    text_option(
-        command, "--tiles", options.tiles,
-        "How the shader draws a disc: traced, in tiles that show some of it (faster, the same but for rounding); "
-        "bodies, at once; auto: traced where there is much to draw",
-        {"auto", "bodies", "traced"});
+    text_option(command, "--tiles", options.tiles,
+                "How the shader draws a disc: traced, only in tiles that show it (faster, equal up to rounding); "
+                "bodies, in the whole picture; auto: traced for films and large pictures",
+                {"auto", "bodies", "traced"});
     command.add_flag("--dump-shader", &options.dump_shader, "Print the shaders of this scene's passes and stop");
 }
 

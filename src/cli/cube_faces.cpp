@@ -17,15 +17,15 @@ Status check_faces(const Scene& scene, const CaptureOptions& options) {
     const std::string what = fmt::format("-o {}: ", options.output);
     if (options.output.find(kPlace, options.output.find(kPlace) + 1) != std::string::npos ||
         options.output.find('/', options.output.find(kPlace)) != std::string::npos)
-        return bad_input(what + "a face's name has one place", "one %s in the file's name");
+        return bad_input(what + "names of faces need one placeholder", "one %s in the file's name");
     if (scene.camera.projection != Projection::kCube)
         return bad_input(what + "only cubes have faces", "a scene with camera.projection = \"cube\", or no %s");
     if (!options.frames.empty() || options.to_film())
-        return bad_input(what + "faces are of one picture", "no --frames, or no %s");
+        return bad_input(what + "faces are for one picture only", "no --frames, or no %s");
     if (scene.picture.auto_exposure)
-        return bad_input(what + "each face would be exposed by itself", "picture.auto_exposure = \"off\", or no %s");
+        return bad_input(what + "each face would have its own exposure", "picture.auto_exposure = \"off\", or no %s");
     if (scene.path && scene.picture.shutter > 0.0)
-        return bad_input(what + "a face's file says one camera, and picture.shutter gathers those of a [path]",
+        return bad_input(what + "a face's file records one camera, but picture.shutter averages several of a [path]",
                          "a scene without one of both, or no %s");
     if (scene.camera.stereo != Stereo::kOff || !options.split.empty() || options.raydata || options.layers ||
         !options.st_map.empty())

@@ -183,10 +183,9 @@ void add_figure(Command& parent) {
     command.add_option("scene,--scene", &options.scene,
                        "For isoradials and photon-ring: the scene whose camera is used (default luminet, photon-ring)");
     number_option(command, "--rings", options.rings, 2, 16, "For photon-ring: number of subrings");
-    command.add_option(
-        "--angles", &options.angles,
-        "For photon-ring: where along the ring, degrees from the left over the top, as the unturned camera "
-        "sees it (default: 90; about a rotating hole 30, 90, ..., 330)");
+    command.add_option("--angles", &options.angles,
+                       "For photon-ring: positions along the ring, degrees clockwise from the left, as the unrotated "
+                       "camera sees it (default: 90; about a rotating hole 30, 90, ..., 330)");
     command.add_option("-o,--output", &options.output, "File to write (default NAME.svg)");
 }
 

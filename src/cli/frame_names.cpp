@@ -40,7 +40,7 @@ Result<FrameNames> FrameNames::parse(const std::string& pattern) {
                         pattern.find('/', place.at) == std::string::npos;
     if (!single || place.digits > kMostDigits)
         return bad_input(
-            fmt::format("-o {}: a sequence needs one place for the frame's number, in the file's name; "
+            fmt::format("-o {}: a sequence needs one placeholder for the frame number, in the file's name; "
                         "allowed: names with one of %05d, %d or ##### (up to {} digits)",
                         pattern, kMostDigits));
     return FrameNames(pattern, pattern.substr(0, place.at), pattern.substr(place.at + place.length),

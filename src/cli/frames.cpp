@@ -77,7 +77,7 @@ Status run_frames(const FramesOptions& options) {
     }
     TRY(scene, load_scene(options.scene));
     if (range.empty()) {
-        if (!scene->path) return bad_input("no [path] in the scene, so say which frames: A:B, and -- --time-step DT");
+        if (!scene->path) return bad_input("no [path] in the scene: give the frames as A:B, and -- --time-step DT");
         TRY(path, CameraPath::make(*scene));
         range = fmt::format("0:{}", path->frames());
     }
@@ -86,7 +86,7 @@ Status run_frames(const FramesOptions& options) {
     const Words all = capture_words(options, *frames, more);
     if (std::ranges::any_of(all,
                             [](const std::string& word) { return word.find_first_of("\n\r") != std::string::npos; }))
-        return bad_input("a line break in a word: each chunk is one line");
+        return bad_input("a line break in an argument: each command is one line");
     TRY(stamp, checked(all));
     const int count = frames->end - frames->first;
     if (!options.commands) {
@@ -122,10 +122,11 @@ void add_frames(Command& parent) {
     required_option(command, "scene", options.scene, "Scene file, or the name of a built-in scene");
     command.add_option("frames", &options.range, "A:B, frames A to B-1 (default: all of the scene's [path])");
     command.add_option("options", &options.more, "After --: options of capture, as in -- --size 640x360");
-    text_option(command, "-o,--output", options.output, "Files to write, as capture's: one place for the frame number");
+    text_option(command, "-o,--output", options.output,
+                "Files to write, as for capture, with one placeholder for the frame number");
     number_option(command, "--chunk", options.chunk, 1, 1000000, "Frames of a chunk");
     command.add_flag("--commands", &options.commands,
-                     "Print a line for the shell for each chunk; one that is run again draws only what is missing");
+                     "Print a shell command for each chunk; run again, it draws only missing frames");
 }
 
 }  // namespace nullscope::cli

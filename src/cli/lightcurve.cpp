@@ -133,7 +133,7 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
     if (options.samples && options.renderer != "reference")
         return bad_input("--samples: the shader takes one ray a pixel", "with --renderer reference");
     if (options.renderer == "reference" && options.context != "auto")
-        return bad_input("--context: the reference has no GL", "with --renderer gl");
+        return bad_input("--context: the reference tracer does not use OpenGL", "with --renderer gl");
     TRY(region, region_of(options, scene->camera));
     const double from = options.from.value_or(scene->time), to = options.to.value_or(from + period_of(*scene));
     if (!(to > from)) return bad_input(fmt::format("--to {} is not after --from {}", to, from));

@@ -25,7 +25,7 @@ Status write_manual(const Command& program, const std::filesystem::path& folder)
 
 void add_manual(Command& parent) {
     auto [command, options] = add_command<ManualOptions>(
-        parent, "manual", "Write man pages of all commands, and the completion of bash, into a folder",
+        parent, "manual", "Write man pages of all commands, and a bash completion script, into a folder",
         [&parent](const ManualOptions& given) { return write_manual(parent, given.folder); });
     required_option(command, "folder", options.folder, "Folder to write to");
 }

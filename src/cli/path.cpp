@@ -48,7 +48,7 @@ void add_path(Command& parent) {
     required_option(command, "scene", options.scene, "Scene file, or the name of a built-in scene, with a [path]");
     command.add_option("frames", &options.range, "A:B, frames A to B-1 (default: all)");
     text_option(command, "-o,--output", options.output, "File to write");
-    command.add_flag("--cartesian", &options.cartesian, "Write places as x, y, z, not as r, theta, phi");
+    command.add_flag("--cartesian", &options.cartesian, "Write positions as x, y, z instead of r, theta, phi");
 }
 
 }  // namespace nullscope::cli

@@ -36,8 +36,7 @@ Status run_scenes(const ScenesOptions& options) {
 void add_scenes(Command& parent) {
     auto [command, options] = add_command<ScenesOptions>(
         parent, "scenes", "List the built-in scenes, with one sentence each, or print one", run_scenes);
-    command.add_option("name", &options.name,
-                       "Print this scene's file, with paths that hold anywhere: scenes kerr > mine.toml");
+    command.add_option("name", &options.name, "Print this scene's file, with absolute paths: scenes kerr > mine.toml");
 }
 
 void add_info(Command& parent) {

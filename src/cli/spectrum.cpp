@@ -66,7 +66,7 @@ Status set_rims(Source& source, const SpectrumOptions& options, const std::optio
     if (options.ring && (!options.inner.empty() || options.outer))
         return bad_input("--ring with --inner or --outer", "a ring or a disc");
     if (options.ring && source.power && options.given.has("--emissivity"))
-        return bad_input("--emissivity: it changes nothing in a --ring of one radius", "a disc, or thermal");
+        return bad_input("--emissivity: no effect on a --ring of one radius", "a disc, or thermal");
     source.inner = disc && options.inner.empty() ? disc->inner : source.isco;
     if (!options.inner.empty() && options.inner != "isco") {
         const auto inner = number_in(options.inner, 0.0, kLargestRadius);
@@ -231,7 +231,7 @@ void add_spectrum(Command& parent) {
         "Emission by the cosine mu to the disc's normal: isotropic (1), laor (1 + 2.06 mu), haardt (ln(1 + 1/mu))",
         {"isotropic", "laor", "haardt"});
     number_option(command, "--line", options.line_kev, 1e-9, 1e9,
-                  "Energy of the line where it is emitted, keV (iron: 6.4); the axis then shows energies");
+                  "Rest energy of the line, keV (iron: 6.4); the axis then shows energies");
     number_option(command, "--bins", options.bins, 1, 100000, "Number of bins, of equal width");
     number_option(command, "--from", options.from, 0, 1e10,
                   "First bin's lower end, g = observed over emitted frequency, or keV with --line (default: where the "

@@ -81,9 +81,9 @@ bool has_matter(const Scene& scene, const Spacetime& spacetime) {
 Status trace_rays(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
                   const TraceOptions& options, const TraceOutput& output) {
     if (options.with != "gl" && options.context != "auto")
-        return bad_input(fmt::format("--context: --with {} has no GL", options.with), "--with gl");
+        return bad_input(fmt::format("--context: --with {} does not use OpenGL", options.with), "--with gl");
     if (options.with == "reference" && options.method != "auto")
-        return bad_input("--method: the reference has its own", "--with gl");
+        return bad_input("--method: the reference tracer has its own", "--with gl");
     TRY(method, method_of(options));
     if (options.with == "reference") return trace_with_reference(scene, spacetime, rays, options.crossings, output);
     return trace_with_shader(scene, spacetime, rays,

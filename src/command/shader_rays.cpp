@@ -298,7 +298,8 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
                          const ShaderRun& run, const TraceOutput& output) {
     const bool bodies = has_solids(effect_set(required_effects(scene)));
     if (run.tracer != "gl" && bodies)
-        return bad_input("--with core64 and core32 know no solid bodies", "reference or gl, or a scene without bodies");
+        return bad_input("--with core64 and core32 do not support solid bodies",
+                         "reference or gl, or a scene without bodies");
     TRY(lister, Lister::make(run));
     const bool planes = spacetime.planar_rays(), plane = spacetime.can_have_disc();  // the plane is where discs may be
     std::vector<Job> jobs = jobs_of(scene, spacetime, rays, plane && planes);

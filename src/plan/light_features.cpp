@@ -190,7 +190,7 @@ std::span<const Feature> light_features() {
          dark_wormhole,
          [](Scene& s) { add<BallSpec>(s); }},
         {{Effect::kDelay, "delay", "EFFECT_DELAY",
-          "Light-travel time: moving things appear where they were when their light left.",
+          "Light-travel time: moving objects appear where they were when their light left.",
           "something changes with time and light.delay is not \"off\"",
           "four fetches and a logarithm a crossing or look at a body; about a rotating hole a square root a force"},
          [](const FrameFacts& f) -> Reason {

@@ -102,7 +102,7 @@ Status PathReader::read_header(std::string_view text) {
             return fault("header", fmt::format("not all of {}", fmt::join(whole, whole + 3, ", ")), "all or none");
     }
     if (has("x") && (has("r") || has("theta") || has("phi")))
-        return fault("header", "x, y, z and r, theta, phi say the same", "one of both");
+        return fault("header", "both x, y, z and r, theta, phi are given", "one of both");
     return Done{};
 }
 

@@ -159,11 +159,11 @@ Faults check_stereo(const Scene& scene) {
     if (scene.picture.scale_bar != ScaleBar::kOff)
         return {{key, "a scale bar is of one picture", "off where there is a picture.scale_bar", key}};
     if (scene.picture.auto_exposure)
-        return {{key, "each eye's picture would be exposed by itself", "picture.auto_exposure = \"off\"", key}};
+        return {{key, "each eye's picture would have its own exposure", "picture.auto_exposure = \"off\"", key}};
     if (all_round && scene.picture.bloom > 0.0)
-        return {{key, "all-round pictures are drawn in strips, bloom goes beyond them", "picture.bloom = 0", key}};
+        return {{key, "all-round pictures are drawn in strips, which would cut off bloom", "picture.bloom = 0", key}};
     if (all_round && camera.projection != Projection::kEquirectangular)
-        return {{key, "all-round eyes go round with the columns", "projection = \"equirectangular\"", key}};
+        return {{key, "all-round stereo needs one direction for each column", "projection = \"equirectangular\"", key}};
     const World world = world_of(scene.spacetime);
     if (!world || !observer_of(*world, camera)) return {};
     const Status there = check_eyes(*world, camera);
@@ -277,7 +277,7 @@ Faults check_motion(const Scene& scene, const World& world, const std::string& m
     if (!world || moving.empty()) return {};
     Faults faults;
     if (delay && !world->knows_light_time())
-        faults.push_back({moving.front(), fmt::format("how long light takes is not known in metric \"{}\"", metric),
+        faults.push_back({moving.front(), fmt::format("light-travel time is not available in metric \"{}\"", metric),
                           "light.delay = \"off\", or another metric"});
     for (std::size_t i = 0; i < scene.spots.size() && scene.disc; ++i)
         if (!circular_orbit(*world, scene.spots[i].r))

@@ -35,9 +35,8 @@ void style_rows(NumberStyle& wish, const Scene& scene, const Spacetime& spacetim
     if (wish.unit == LengthUnit::kKilometre && !own) {
         double suns = scene.object.mass().value_or(wish.mass_suns);
         ImGui::BeginDisabled(scene.object.mass().has_value());
-        if (type_number(
-                "Mass", suns, kLeastMass_suns, kMostMass_suns, "%.6g suns",
-                scene.object.mass() ? "The scene says it, in [object]." : "Mass of the hole for km and seconds."))
+        if (type_number("Mass", suns, kLeastMass_suns, kMostMass_suns, "%.6g suns",
+                        scene.object.mass() ? "Set by the scene's [object]." : "Mass of the hole for km and seconds."))
             wish.mass_suns = suns;
         ImGui::EndDisabled();
     }

@@ -25,7 +25,7 @@ std::string no_orders(const Scene& scene) {
     if (scene.split) return "Not in a split screen: ray data are of a single spacetime.";
     const auto spacetime = spacetime_of(scene);
     if (spacetime == nullptr || spacetime->planar_rays()) return {};
-    return "Not about a rotating hole: a ray stays in no plane there and its swept angle is not computed.";
+    return "Not about a rotating hole: rays do not stay in a plane there, and swept angles are not computed.";
 }
 
 void OrderOverlay::take_rays(const Scene& scene, const RayFrame& rays) {

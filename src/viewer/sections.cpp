@@ -123,7 +123,7 @@ bool sky_section(ViewState& view, bool escape) {
     bool changed = false;
     row("Kind",
         "The sky at infinity: the built-in stars and Milky Way (as a picture, or the stars as points), the scene's "
-        "image, nothing, a made nebula, or a pattern.");
+        "image, nothing, a procedural nebula, or a pattern.");
     choice("##sky", kSkyKindNames[static_cast<std::size_t>(sky.kind)], escape, [&] {
         for (std::size_t i = 0; i < std::size(kSkyKindNames); ++i) {
             const auto kind = static_cast<SkyKind>(i);
@@ -154,16 +154,14 @@ bool light_section(ViewState& view, bool escape) {
     PictureSpec& picture = view.scene.picture;
     const auto spacetime = spacetime_of(view.scene);
     const bool rotates = spacetime != nullptr && spacetime->axial() != nullptr;
-    bool changed = tick_if(
-        !rotates, "Lensing", light.lensing,
-        "Light follows the geodesics of the metric. Off: it travels straight, past a black sphere as large as the "
-        "horizon; all else stays.",
-        "Not for a rotating hole: compare it with another spacetime (X), or set its spin to 0.");
+    bool changed = tick_if(!rotates, "Lensing", light.lensing,
+                           "Light follows the geodesics of the metric. Off: it travels straight, past a black sphere "
+                           "as large as the horizon; all else is unchanged.",
+                           "Not for a rotating hole: compare it with another spacetime (X), or set its spin to 0.");
     const bool heat = spectra_matter(view.scene);
     constexpr const char* kNoHeat =
-        "Nothing here: no light in this scene has a spectrum that is known where it leaves (disc.emission = thermal, "
-        "hot spots, "
-        "point stars, or a sky with a temperature).";
+        "No effect: this scene has no thermal emission (disc.emission = thermal, hot spots, point stars, or a sky with "
+        "a temperature).";
     changed |= tick_if(heat, "Shift", light.shift,
                        "Doppler and gravitational shift change the colour of thermal emission: a thermal disc, hot "
                        "spots, point stars.",
@@ -171,11 +169,12 @@ bool light_section(ViewState& view, bool escape) {
     changed |= tick_if(heat, "Beaming", light.beaming,
                        "Doppler and gravitational shift change the brightness of thermal emission.", kNoHeat);
     changed |= tick_if(heat, "Doppler", light.doppler,
-                       "Frequencies have the Doppler part of g: the motion of matter and camera.", kNoHeat);
-    changed |= tick_if(heat, "Gravity", light.gravity, "Frequencies have the gravitational part of g.", kNoHeat);
+                       "The redshift factor g includes the Doppler shift: the motion of matter and camera.", kNoHeat);
+    changed |=
+        tick_if(heat, "Gravity", light.gravity, "The redshift factor g includes the gravitational shift.", kNoHeat);
     changed |= tick_if(moves(view.scene.camera), "Aberration", light.aberration,
                        "The camera's motion changes the directions from which light arrives.",
-                       "Nothing here: the camera is at rest.");
+                       "No effect: the camera is at rest.");
     changed |= tick_if(heat, "Bolometric", light.bolometric,
                        "Brightness is power at all wavelengths (bolometric) instead of visible light.", kNoHeat);
     constexpr std::array kTones = {"shoulder", "film", "neutral"};

@@ -135,7 +135,7 @@ bool clock_section(ViewState& view) {
     changed |= steps != 0.0;
     if (changed) view.clock_runs = false;
     changed |= tick("Delay", scene.light.delay,
-                    "On: moving things appear where they were when their light left. Off: where they are now.");
+                    "On: moving objects appear where they were when their light left. Off: where they are now.");
     if (scene.camera.observer == ObserverKind::kStatic && spacetime->lapse_squared(scene.camera.r) > 0.0)
         paragraph(fmt::format("Proper time of the camera: {}.",
                               time_words(std::sqrt(spacetime->lapse_squared(scene.camera.r)) * scene.time, style)));

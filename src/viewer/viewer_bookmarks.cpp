@@ -84,7 +84,7 @@ bool Viewer::take_camera(const std::string& file) {
     history_.rest(view_);
     const Status taken = paste_view(view_, view_line(kept->camera));
     say(taken ? fmt::format("The camera of {}", kept->name)
-              : fmt::format("No camera here as in {}: {}", kept->name, taken.error().message()));
+              : fmt::format("Cannot use the camera of {}: {}", kept->name, taken.error().message()));
     return static_cast<bool>(taken);
 }
 

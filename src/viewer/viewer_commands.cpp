@@ -218,7 +218,7 @@ void Viewer::toggle_potential() {
     const auto spacetime = spacetime_of(view_.scene);
     if (!view_.show_potential || spacetime == nullptr) return;
     if (spacetime->axial() != nullptr)
-        say("There is no effective potential about a rotating hole: a ray stays in no plane");
+        say("No effective potential about a rotating hole: rays do not stay in a plane");
     else if (!view_.show_probe)
         say("Effective potential: shown with the ray of a pixel (P)");
 }

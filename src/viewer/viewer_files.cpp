@@ -93,7 +93,7 @@ void Viewer::follow_path() {
 void Viewer::sample_flight() {
     if (!timeline_.records()) return;
     const double now = seconds();
-    if (!timeline_.sample(view_.scene, now - sampled_at_)) say("Another observer: the record begins anew here");
+    if (!timeline_.sample(view_.scene, now - sampled_at_)) say("Observer changed: the recording starts again here");
     sampled_at_ = now;
     frames_due_ = std::max(frames_due_, 1);  // the button shows the time
 }

@@ -184,27 +184,27 @@ ALL = set(METRICS)
 
 # What is refused, and words of the message: where each factor that is named has one of the values. The rest must be drawn.
 REFUSED = [
-    ({"metric": NO_OBJECTS, "thing": set(THINGS) - {"none"}}, r"neither discs nor bodies|no matter along rays|is not known in|no far side|no circular orbit"),
+    ({"metric": NO_OBJECTS, "thing": set(THINGS) - {"none"}}, r"neither discs nor bodies|no matter along rays|is not available in|no far side|no circular orbit"),
     ({"metric": ALL - set(WORMHOLES), "thing": {"ball-beyond"}}, "has no far side"),
     ({"thing": {"ball-beyond"}, "extra": SPLITS}, "has no far side"),
     ({"metric": ALL - {"kerr", "minkowski"}, "thing": {"matter-grid"}}, "its matter is about a hole|no matter along rays"),
     ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MATTER_THINGS}, "no matter along rays"),
     ({"metric": set(WORMHOLES), "thing": things("disc") | {"spot"}}, "no discs in a wormhole"),
     ({"metric": set(WORMHOLES), "thing": things("sphere")}, "about the throat"),
-    ({"metric": set(WORMHOLES), "thing": {"ball-orbit", "ball-geodesic", "ball-path"}}, "is not known in|nothing moves in a wormhole"),
-    ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MOVING, "switch": set(SWITCHES) - {"delay"}}, "is not known in"),
+    ({"metric": set(WORMHOLES), "thing": {"ball-orbit", "ball-geodesic", "ball-path"}}, "is not available in|nothing moves in a wormhole"),
+    ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MOVING, "switch": set(SWITCHES) - {"delay"}}, "is not available in"),
     ({"metric": ROTATING, "thing": {"ball-geodesic"}}, "falls are not followed"),
     ({"metric": ROTATING, "switch": PARTS}, "followed with all its parts about a rotating hole"),
     ({"metric": {"ellis", "dneg", "formula-abr", "jnw"}, "camera": {"orbit", "counter-orbit"}}, "no circular orbit"),
     ({"metric": {"minkowski", "naked", "neutron-star", "dneg"}, "extra": {"zoom"}}, "photon sphere|in the tube"),
-    ({"metric": set(WORMHOLES), "thing": set(THINGS) - {"none"}, "switch": {"lensing"}}, "straight light passes no throat|no discs|about the throat|no matter|is not known in|nothing moves"),
+    ({"metric": set(WORMHOLES), "thing": set(THINGS) - {"none"}, "switch": {"lensing"}}, "straight light passes no throat|no discs|about the throat|no matter|is not available in|nothing moves"),
     ({"thing": MATTER_THINGS, "switch": PARTS}, "which matter along rays does not have"),
     ({"thing": MATTER_THINGS, "extra": {"zoom"}}, "a zoom leaves out"),
     ({"switch": PARTS, "camera": {"rain", "fall", "throw"}}, r"while light\.\w+ is off"),
     ({"switch": {"lensing"}, "extra": {"zoom"}}, "light runs straight"),
     ({"projection": set(PROJECTIONS) - {"pinhole", "shifted", "rolled", "warp"}, "extra": SPLITS | {"zoom"}}, "requires projection|are squares"),
     ({"projection": {"warp"}, "extra": SPLITS | {"zoom", "stereo"}}, "does not go together with|stereo cannot be combined with camera.warp"),
-    ({"projection": set(PROJECTIONS) - {"equirectangular"}, "extra": {"all-round"}}, "all-round eyes go round|stereo cannot be combined with camera.warp"),
+    ({"projection": set(PROJECTIONS) - {"equirectangular"}, "extra": {"all-round"}}, "needs one direction for each column|stereo cannot be combined with camera.warp"),
 ]
 
 

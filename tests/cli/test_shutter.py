@@ -73,7 +73,7 @@ class Shutter(support.CliTest):
     def test_what_moves_needs_a_frames_time(self):
         scene = self.write("ball.toml", BALL)
         ran = self.capture(scene, "-o", "one.png")
-        self.assertEqual(ran.said(), "picture.shutter: all is at rest without a [path] or --time-step\n")
+        self.assertEqual(ran.said(), "picture.shutter: no motion blur, as nothing moves without a [path] or --time-step\n")
         self.assertNotIn("sub-frames", ran.out)
         ran = self.capture(scene, "--time-step", "2", "-o", "blurred.png")
         self.assertIn("16 sub-frames", ran.out)

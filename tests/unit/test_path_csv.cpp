@@ -166,7 +166,7 @@ TEST_CASE("path csv: errors name file, line, column and what is allowed") {
          "t.csv:3: velocity_r: the speed is not below that of light; allowed: three numbers, speed below 1"},
         {"velocity_r,velocity_phi\n",
          "t.csv:1: header: not all of velocity_r, velocity_theta, velocity_phi; allowed: all or none"},
-        {"x,y,z,phi\n", "t.csv:1: header: x, y, z and r, theta, phi say the same; allowed: one of both"},
+        {"x,y,z,phi\n", "t.csv:1: header: both x, y, z and r, theta, phi are given; allowed: one of both"},
         {"x,y,z\n0,0,0\n", "t.csv:2: x: the centre has no direction; allowed: another place"},
         {"energy\n1\n2\n", "t.csv:2: energy: is not used here; allowed: with observer = \"throw\" only"},
         {"fov,plane_width\n60,1\n",

@@ -155,7 +155,7 @@ const Broken kBroken[] = {
     {"[camera]\nstereo = \"pair\"\n[zoom]", 2, "camera.stereo", "stereo cannot be combined with [zoom]"},
     {"[camera]\nstereo = \"pair\"\n[split]\nmetric = \"kerr\"", 2, "camera.stereo",
      "stereo cannot be combined with [split]"},
-    {"[camera]\nstereo = \"pair\"\n[picture]\nauto_exposure = \"on\"", 2, "camera.stereo", "exposed by itself"},
+    {"[camera]\nstereo = \"pair\"\n[picture]\nauto_exposure = \"on\"", 2, "camera.stereo", "its own exposure"},
     {"[camera]\nr = 4\nstereo = \"pair\"\neye_distance = 2.1", 4, "camera.eye_distance", "allowed: at most 2 here"},
     {"[camera]\nr = 1.0001\nstereo = \"pair\"\nyaw = 90\neye_distance = 0.1", 5, "camera.eye_distance", "no eye"},
     {"[path]\nkind = \"keys\"\n[[path.key]]\n[[path.key]]\nstereo = \"pair\"", 1, "path.key", "stereo"},

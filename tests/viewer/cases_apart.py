@@ -899,7 +899,7 @@ def test_a_bookmarks_camera_is_taken_into_another_scene(screen, program, folder)
         v.settle("keydown", "Shift_L")
         v.click(*BOOKMARK_PICTURE)
         v.settle("keyup", "Shift_L")
-        assert v.layout().place("No camera here as in scene 2", ""), v.layout().words()
+        assert v.layout().place("Cannot use the camera of scene 2", ""), v.layout().words()
 
 
 def test_a_recording_is_put_aside_and_brought_back(screen, program, folder):
