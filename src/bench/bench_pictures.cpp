@@ -148,7 +148,7 @@ void add_bench_pictures(Command& bench) {
     command.add_option("scenes", &options.scenes, "Scenes to compare").required();
     size_option(command, options);
     context_option(command, options.context);
-    number_option(command, "--pixels", options.pixels, 1, 100000000, "Pixels to compare, drawn by lot");
+    number_option(command, "--pixels", options.pixels, 1, 100000000, "Pixels to compare, chosen at random");
     number_option(command, "--samples", options.samples, 2, 256, "Rays along a side of a pixel, an even number");
     number_option(command, "--seconds", options.seconds, 1, 1000000,
                   "Time for a scene, after which fewer pixels are compared");

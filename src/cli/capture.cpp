@@ -48,7 +48,7 @@ Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) 
         return bad_input("a film needs a scene with a [path], or --time-step and --frames",
                          fmt::format("-o names that end in {}", format_endings()));
     if (options.to_film() && !have_ffmpeg())
-        return failed("ffmpeg is not installed, it makes the film; without it: -o NAME%05d.png and --frames");
+        return failed("ffmpeg is not installed, which films need; without it: -o NAME%05d.png and --frames");
     const bool sequence = !options.to_film() && names_frames(options.output);
     if (options.frames.empty() && sequence && path == nullptr)
         return bad_input(fmt::format("-o {}: a place for the frame's number, but which frames?", options.output),

@@ -78,8 +78,8 @@ std::optional<std::string> bytes_from(std::istream& file, std::size_t count) {
     return bytes;
 }
 
-Error texts_cut_off() { return bad_input("it is cut off within what it says of itself"); }
-Error texts_too_long() { return bad_input(fmt::format("it says more than {} bytes of itself", kMostTextBytes)); }
+Error texts_cut_off() { return bad_input("its metadata are cut off"); }
+Error texts_too_long() { return bad_input(fmt::format("its metadata are longer than {} bytes", kMostTextBytes)); }
 
 bool is_picture_file(const fs::path& path) {
     std::array<char, 16> bytes{};

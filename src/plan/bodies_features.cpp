@@ -117,7 +117,7 @@ std::span<const Feature> bodies_features() {
              first_material(s).image = example_image();
          }},
         {{Effect::kBallPath, "ball-path", "EFFECT_BALL_PATH", "A ball moves.", "ball.motion is not \"still\"",
-          "the ball's way; two fetches a step"},
+          "a table of the ball's path; two fetches a step"},
          [](const FrameFacts& f) -> Reason {
              for (std::size_t i = 0; i < f.scene.bodies.size(); ++i)
                  if (const auto* ball = std::get_if<BallSpec>(&f.scene.bodies[i].shape); ball && ball->moves())

@@ -18,7 +18,7 @@ void check_name(const Scene& scene, std::size_t i, const std::string& section, s
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
     };
     if (name.size() > kLongest || !std::all_of(name.begin(), name.end(), fits))
-        return faults.push_back({section + ".name", "is no name", "letters, digits, - and _, 32 at most"});
+        return faults.push_back({section + ".name", "is not a valid name", "letters, digits, - and _, 32 at most"});
     bool taken = name == "disc" || name == "star";
     for (std::size_t k = 0; k < scene.bodies.size(); ++k)
         taken = taken || (k != i && (k < i || scene.bodies[k].name.empty()) && body_name(scene, k) == name);
@@ -36,7 +36,7 @@ Vec3 BodyCheck::camera() const {
 
 void check_checker(const Material& material, const std::string& section, std::vector<SceneFault>& faults) {
     if (material.texture == TextureKind::kChecker && material.columns % 2 != 0)
-        faults.push_back({section + ".columns", fmt::format("{} cells do not close round about", material.columns),
+        faults.push_back({section + ".columns", fmt::format("{} cells do not close around the axis", material.columns),
                           "an even number for a checker"});
 }
 

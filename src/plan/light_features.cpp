@@ -100,8 +100,8 @@ std::span<const Feature> light_features() {
          [](Scene& s) {
              s.camera.velocity = {0.1, 0.2, 0.3};
          }},
-        {{Effect::kZoom, "zoom", "EFFECT_ZOOM", "Directions are counted from the critical curve, to any depth.",
-          "there is a [zoom], and light is bent", "of moving cameras two more vectors of a few multiplications"},
+        {{Effect::kZoom, "zoom", "EFFECT_ZOOM", "Directions are relative to the critical curve, at any depth.",
+          "there is a [zoom], and light is bent", "for moving cameras two more vectors of a few multiplications"},
          [](const FrameFacts& f) -> Reason {
              if (!(f.bends() || rotates(f)) || !f.scene.camera.zoom) return kNot;
              return fmt::format("zoom.depth = {}", f.scene.camera.zoom->depth);
@@ -110,7 +110,7 @@ std::span<const Feature> light_features() {
          hole,
          [](Scene& s) { s.camera.zoom.emplace(); }},
         {{Effect::kSpinRing, "spin-ring", "EFFECT_SPIN_RING",
-          "Rays next to the critical curve of a rotating hole keep their distance from it to all digits.",
+          "Rays next to the critical curve of a rotating hole keep their distance from it to full precision.",
           "the hole rotates and the view is next to its critical curve, so narrow that the curve would be over 2700 px "
           "wide, or there is a [zoom]",
           "steps of a tenth more work, at most 512"},
@@ -125,7 +125,7 @@ std::span<const Feature> light_features() {
          [](Scene& s) { s.spacetime.metric = "kerr"; },
          [](Scene& s) { s.camera.plane_width = 0.01, s.camera.yaw = -0.17; }},
         {{Effect::kSpinNear, "spin-near", "EFFECT_SPIN_NEAR",
-          "Rays next to the horizon of a rotating hole keep their distance from it to all digits.",
+          "Rays next to the horizon of a rotating hole keep their distance from it to full precision.",
           "the hole rotates, and 1 - r_+/camera.r is between -0.6 and 0.6", "steps of a tenth more work"},
          [](const FrameFacts& f) {
              return reason_if(rotates(f) && is_next_to_horizon(*f.spacetime->axial(), f.scene.camera.r),
@@ -192,7 +192,8 @@ std::span<const Feature> light_features() {
         {{Effect::kDelay, "delay", "EFFECT_DELAY",
           "Light-travel time: moving objects appear where they were when their light left.",
           "something changes with time and light.delay is not \"off\"",
-          "four fetches and a logarithm a crossing or look at a body; about a rotating hole a square root a force"},
+          "four fetches and a logarithm per crossing or sample of a body; about a rotating hole a square root per "
+          "force"},
          [](const FrameFacts& f) -> Reason {
              const std::string moving = moving_words(f.scene);
              return reason_if(!moving.empty() && f.scene.light.delay, moving);
@@ -200,16 +201,16 @@ std::span<const Feature> light_features() {
          [](Scene& s) { s.light.delay = false; },
          moving_disc,
          [](Scene& s) { s.light.delay = true; }},
-        {{Effect::kLightTimes, "light-times", "EFFECT_LIGHT_TIMES", "How long light takes along its ray is known.",
-          "the effect delay, or that ray data or layers are drawn",
-          "what delay needs; of a picture alone nothing more"},
+        {{Effect::kLightTimes, "light-times", "EFFECT_LIGHT_TIMES", "Light-travel times along rays are computed.",
+          "the effect delay, or output of ray data or layers", "that of delay; none in pictures without it"},
          [](const FrameFacts& f) { return reason_if(f.so_far.contains(Effect::kDelay), "the effect delay"); },
          nullptr,
          moving_disc,
          [](Scene& s) { s.light.delay = true; }},
         {{Effect::kInnerHorizon, "inner-horizon", "EFFECT_INNER_HORIZON",
           "Light-travel time about a hole with an inner horizon.",
-          "light-travel time is needed about a hole with spacetime.charge", "a logarithm a crossing or look at a body"},
+          "light-travel time is needed about a hole with spacetime.charge",
+          "a logarithm per crossing or sample of a body"},
          [](const FrameFacts& f) {
              const bool late = f.bends() && f.so_far.contains(Effect::kLightTimes);
              return reason_if(late && f.spacetime->spherical()->has_inner_root(), metric_words(f));

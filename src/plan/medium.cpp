@@ -33,23 +33,23 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
         faults.push_back({"medium", fmt::format("metric \"{}\" has no matter along rays", spacetime.name()),
                           "minkowski, schwarzschild, reissner-nordstrom, kerr or kerr-newman"});
     if (scene.camera.zoom)
-        faults.push_back({"zoom", "a zoom leaves out a part of the rays' way through matter", "no [zoom]"});
+        faults.push_back({"zoom", "a zoom leaves out part of the rays' path through matter", "no [zoom]"});
     for (const auto& [key, on] : {std::pair{"light.lensing", scene.light.lensing},
                                   {"light.doppler", scene.light.doppler},
                                   {"light.gravity", scene.light.gravity},
                                   {"light.aberration", scene.light.aberration}})
-        if (!on) faults.push_back({key, "off, which matter along rays does not have", "on with a [medium]"});
+        if (!on) faults.push_back({key, "off, which a [medium] does not support", "on with a [medium]"});
     const MediumSpec& medium = *scene.medium;
     const MediumModel& model = model_of(medium);
     if ((model.shares & kInner) != 0 && !(medium.inner < medium.outer))
         faults.push_back(
             {"medium.outer", fmt::format("{} is not above inner = {}", medium.outer, medium.inner), "inner < outer"});
     if (medium.kind != MediumKind::kGrid && medium.field_direction == FieldDirection::kFile)
-        faults.push_back({"medium.field_direction", "no file has this field", "file where kind = \"grid\""});
+        faults.push_back({"medium.field_direction", "no file gives this field", "file where kind = \"grid\""});
     if (model.faults != nullptr) model.faults(spacetime, scene, faults);
     if (medium.by_frequency() && !scene.object.mass())
-        faults.push_back({"object.mass_suns", "missing, but there is a [medium] that shines at one frequency",
-                          "the mass that gives lengths their centimetres, or object.name", "medium.kind"});
+        faults.push_back({"object.mass_suns", "missing, but there is a [medium] seen at one frequency",
+                          "the mass, which sets lengths in centimetres, or object.name", "medium.kind"});
     return faults;
 }
 

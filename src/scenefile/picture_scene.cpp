@@ -91,9 +91,9 @@ Result<Scene> scene_of_words(const std::map<std::string, std::string>& words, co
                              const std::string& file, const Note& note) {
     const auto text = words.find(keyword);
     if (text == words.end())
-        return bad_input(without_controls(
-            fmt::format("{}: a picture that holds no scene; nullscope writes it into those that it draws, as {}",
-                        in_quotes(file), kSceneWord)));
+        return bad_input(
+            without_controls(fmt::format("{}: this picture holds no scene; pictures drawn by nullscope hold it as {}",
+                                         in_quotes(file), kSceneWord)));
     const SceneFolders folders = picture_folders(file);
     TRY(scene, parse_scene_in(folders, text->second, file));
     say_other_files(words, written_scene(*scene, folders), file, note);

@@ -68,7 +68,7 @@ Result<PhotonOrbit> rotating_metric(const AxialMetric& metric, double theta, dou
         (falls_short ? inside : outside) = x;
     }
     if (!(inside > kInHorizon))
-        return bad_input(fmt::format("{}: this orbit of light lies in the horizon of an extremal hole", metric.name()));
+        return bad_input(fmt::format("{}: this photon orbit lies in the horizon of an extremal hole", metric.name()));
     return orbit_of(shell, inside, sine, cosine, cos_psi, sin_psi * sin_psi);
 }
 
@@ -110,7 +110,7 @@ Result<PhotonOrbit> photon_orbit_at(const AxialMetric& metric, double r) {
     const double twist = r * shell.slope(x) - 4.0 * root * root, around = 4.0 * shell.a * root;
     if (!(x > 0.0 && std::fabs(twist) <= around + 10.0 * kRounding * r)) {
         const auto first = photon_orbit(metric, 0.5 * M_PI, 0.0), last = photon_orbit(metric, 0.5 * M_PI, M_PI);
-        return bad_input(fmt::format("{}: no orbit of light at r = {}", metric.name(), r),
+        return bad_input(fmt::format("{}: no photon orbit at r = {}", metric.name(), r),
                          fmt::format("[{}, {}]", first ? first->r : metric.outer_horizon(), last->r));
     }
     const double cos_psi = around > 0.0 ? std::clamp(twist / around, -1.0, 1.0) : 0.0;

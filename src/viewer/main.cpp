@@ -67,10 +67,10 @@ Command program_of(viewer::ViewerOptions& options, std::string& size, std::strin
                        "Log the window's event loop to this file: times of the first pictures, iterations with their "
                        "processor time, when it is idle (/dev/stderr: to the terminal)");
     program.add_option("--layout", &options.layout,
-                       "Write where the words of the panels are to this file whenever the window is idle, with those "
+                       "Write the positions of the panels' texts to this file whenever the window is idle, with those "
                        "that are cut off or overlap");
     program.add_option("--manual", &manual,
-                       "Write the man page and the completion of bash into this folder, then quit");
+                       "Write the man page and a bash completion script into this folder, then quit");
     return program;
 }
 

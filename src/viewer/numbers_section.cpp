@@ -64,21 +64,19 @@ bool numbers_section(ViewState& view) {
     radius("Horizon", marks.horizon, "Nothing comes back from inside it. About a rotating hole: the outer one.");
     const bool rotates = spacetime->axial() != nullptr;
     radius("Photon orbit", marks.photon_orbit,
-           rotates ? "Prograde: where light can run in a circle with the rotation of the hole, in the equatorial plane."
-                   : "Where light can run in a circle.");
-    radius("retrograde", marks.retrograde_photon_orbit, "Where light can run in a circle against the hole's rotation.");
-    radius("ISCO", marks.isco,
-           rotates ? "Prograde: innermost stable circular orbit of matter with the rotation of the hole."
-                   : "Innermost stable circular orbit of matter.");
-    radius("retrograde", marks.retrograde_isco,
-           "Innermost stable circular orbit of matter against the hole's rotation.");
+           rotates ? "Prograde circular photon orbit in the equatorial plane." : "Circular photon orbit.");
+    radius("retrograde", marks.retrograde_photon_orbit, "Retrograde circular photon orbit.");
+    radius(
+        "ISCO", marks.isco,
+        rotates ? "Prograde innermost stable circular orbit of matter." : "Innermost stable circular orbit of matter.");
+    radius("retrograde", marks.retrograde_isco, "Retrograde innermost stable circular orbit of matter.");
     if (scene.light.lensing)
         radius(
             "Critical b", marks.critical_impact,
             "Impact parameter of the light that spirals to the photon sphere: the radius of the shadow, seen from far "
             "away.");
     if (!marks.horizon && !marks.photon_orbit && !marks.isco)
-        paragraph("This spacetime has no horizon and no orbits to name.");
+        paragraph("This spacetime has no horizon, photon orbit or ISCO.");
     ImGui::Separator();
     const CameraNumbers here = camera_numbers(*spacetime, scene.camera);
     if (here.shadow && scene.light.lensing)
@@ -88,14 +86,15 @@ bool numbers_section(ViewState& view) {
         number("Shadow",
                fixed_words((*size)[0] * 180.0 / std::numbers::pi, style, 3) + "\u00b0 wide\n" +
                    fixed_words((*size)[1] * 180.0 / std::numbers::pi, style, 3) + "\u00b0 high",
-               "Angular diameters of the shadow in the direction of the rotation and across it, seen from here by an "
-               "observer without angular momentum.");
+               "Angular diameters of the shadow in the direction of the rotation and across it, seen from here by a "
+               "zero-angular-momentum observer.");
     for (const ClockRow& row : clock_rows(view, *spacetime)) number(row.short_name, row.value, row.help);
     if (here.orbit_speed)
         number("Orbit speed", fixed_words(*here.orbit_speed, style, 5) + " c",
                "Of a circular geodesic here, measured by observers at rest.");
     if (here.orbit_period)
-        number("Orbit period", time_words(*here.orbit_period, style), "Of a circular geodesic here, in time far away.");
+        number("Orbit period", time_words(*here.orbit_period, style),
+               "Of a circular geodesic here, in the time of a distant observer.");
     return false;
 }
 

@@ -11,8 +11,8 @@
 namespace nullscope::viewer {
 
 inline constexpr const char* kPotentialHelp =
-    "Effective potential V = A/R\u00b2 of light, and the level 1/b\u00b2 of the ray that is probed: it turns where it "
-    "meets V.";
+    "Effective potential V = A/R\u00b2 of light, and the level 1/b\u00b2 of the probed ray: it turns where it meets "
+    "V.";
 
 // Places are the metric's own r, in wormholes l.
 struct PotentialRay {

@@ -64,7 +64,7 @@ std::string SaveAs::draw(bool escape) {
             if (!std::filesystem::exists(path, error) || replaced_ == path.string())
                 open_ = false, chosen = path.string();
             else if (!may_be_replaced(path))
-                refusal_ = fmt::format("{} exists and holds more than this program wrote: choose another name.", name);
+                refusal_ = fmt::format("{} exists and has contents of your own: choose another name.", name);
             else
                 refusal_ = fmt::format("{} exists. Save once more to replace it.", name), replaced_ = path.string();
         }

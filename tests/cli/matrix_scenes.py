@@ -198,7 +198,7 @@ REFUSED = [
     ({"metric": {"ellis", "dneg", "formula-abr", "jnw"}, "camera": {"orbit", "counter-orbit"}}, "no circular orbit"),
     ({"metric": {"minkowski", "naked", "neutron-star", "dneg"}, "extra": {"zoom"}}, "photon sphere|in the tube"),
     ({"metric": set(WORMHOLES), "thing": set(THINGS) - {"none"}, "switch": {"lensing"}}, "straight light passes no throat|no discs|about the throat|no matter|is not available in|nothing moves"),
-    ({"thing": MATTER_THINGS, "switch": PARTS}, "which matter along rays does not have"),
+    ({"thing": MATTER_THINGS, "switch": PARTS}, "which a \\[medium\\] does not support"),
     ({"thing": MATTER_THINGS, "extra": {"zoom"}}, "a zoom leaves out"),
     ({"switch": PARTS, "camera": {"rain", "fall", "throw"}}, r"while light\.\w+ is off"),
     ({"switch": {"lensing"}, "extra": {"zoom"}}, "light runs straight"),

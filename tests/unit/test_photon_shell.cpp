@@ -107,7 +107,7 @@ TEST_CASE("photon orbits of rotating holes: the equatorial ones, the ends of the
             CHECK(near(same->gamma, o.gamma, 1e-10));  // of the rounding of r, next to the horizon
             const auto beside = photon_orbit_at(*metric, o.r + (psi == 0.0 ? -1e-9 : 1e-9));
             REQUIRE(!beside);
-            CHECK(beside.error().message().find("no orbit of light at r = ") != std::string::npos);
+            CHECK(beside.error().message().find("no photon orbit at r = ") != std::string::npos);
         }
     }
     const double b = 1.5 * std::sqrt(3.0);
