@@ -121,7 +121,7 @@ Node node_of(const Command& command, CLI::App& app, const std::string& path) {
     if (!command.credits().empty())
         app.add_flag_callback(
             "--credits", [text = command.credits()] { throw CLI::CallForVersion(text, 0); },
-            "Whose data ship with the program, and on what terms");
+            "Sources and licences of the data that ship with the program");
     for (const auto& option : command.options()) node.options.emplace_back(option.get(), add_to(app, *option));
     for (const auto& child : command.commands())
         node.nodes.push_back(node_of(*child, *app.add_subcommand(child->name(), child->help()),
