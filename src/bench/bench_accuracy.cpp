@@ -150,7 +150,7 @@ Status run(const Options& options) {
         const EffectSet effects = effect_set(required_effects(*scene));
         const bool spins = light_path_kind(effects) == LightPathKind::kMino;
         if (!effects.contains(Effect::kLensing) && !spins)
-            return bad_input(fmt::format("scene {}: light runs straight in {}, there is nothing to compare", name,
+            return bad_input(fmt::format("scene {}: light travels straight in {}, there is nothing to compare", name,
                                          scene->spacetime.metric));
         TRY(spacetime, make_spacetime(scene->spacetime.metric, scene->spacetime.parameters));
         TRY(rows, accuracy_rows(**spacetime));

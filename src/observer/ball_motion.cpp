@@ -95,7 +95,8 @@ Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& bal
     }
     if (ball.motion == BallMotion::kGeodesic) {
         if (spacetime.orbit_equation() == nullptr)
-            return bad_key("motion", fmt::format("falls are not followed in metric \"{}\"", spacetime.name()),
+            return bad_key("motion",
+                           fmt::format("free fall of balls is not supported in metric \"{}\"", spacetime.name()),
                            "still, path");
         if (!camera_can_rest(spacetime, r))
             return bad_key("position", fmt::format("nothing can be at rest at {} from the centre", r),

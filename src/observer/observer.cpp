@@ -113,7 +113,7 @@ Status check_light_parts(const Spacetime& spacetime, const Scene& scene) {
                        : !light.gravity ? "light.gravity"
                                         : "light.aberration";
     if (!spacetime.planar_rays())
-        return bad_key(part, "off, but light is followed with all its parts about a rotating hole",
+        return bad_key(part, "off, which is not supported about a rotating hole",
                        "light.lensing, doppler, gravity and aberration on, or spin = 0");
     return bad_key("camera.observer", fmt::format("\"{}\" while {} is off", observer_name(scene.camera.observer), part),
                    "static or orbit with light.lensing, doppler, gravity or aberration = \"off\"");

@@ -59,7 +59,7 @@ Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const L
     ahead.yaw = ahead.pitch = ahead.roll = 0.0;
     TRY(observer, observer_of(spacetime, ahead));
     const auto critical = CriticalLight::make(spacetime, ahead, light);
-    if (!critical) return view_refused("light runs straight", "light.lensing = \"on\"");
+    if (!critical) return view_refused("light travels straight", "light.lensing = \"on\"");
     const CameraSpec aimed = towards(*critical, camera);
     if (spacetime.axial() != nullptr) {
         const double per_pixel = ring_distance_per_pixel(*spacetime.axial(), aimed, *observer, light);

@@ -59,7 +59,8 @@ std::vector<SceneFault> side_faults(const Spacetime& spacetime, const Scene& sce
                                       2.0 * spacetime.spherical()->tube_beyond(0.0)),
                           fmt::format("[0, {}] with bodies", 2.0 * SphericalMetric::kLongestHalfTube)});
     if (!scene.light.lensing)
-        faults.push_back({"light.lensing", "off, but straight light passes no throat", "on with bodies in a wormhole"});
+        faults.push_back(
+            {"light.lensing", "off, but straight rays do not pass through a throat", "on with bodies in a wormhole"});
     return faults;
 }
 

@@ -23,7 +23,8 @@ Status check_bodies(const Scene& scene, const Metric& matter) {
         if (ball == nullptr) continue;
         const std::string section = body_section(scene, i);
         if (ball->motion == BallMotion::kGeodesic)
-            return bad_key(section + ".motion", "falls are not followed about a rotating hole", "still, orbit, path");
+            return bad_key(section + ".motion", "free fall of balls is not supported about a rotating hole",
+                           "still, orbit, path");
         if (ball->motion == BallMotion::kOrbit && std::abs(ball->position.z) > kInPlane * length(ball->position))
             return bad_key(section + ".position",
                            "orbits about a rotating hole that leave its equatorial plane are not followed", "z = 0");

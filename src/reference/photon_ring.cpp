@@ -33,7 +33,7 @@ Result<PhotonRing> PhotonRing::make(const Scene& scene) {
         camera.velocity = {};
     }
     TRY(orbit, photon_orbit(**spacetime, camera.theta, 0.0));
-    if (!scene.light.lensing) return bad_input("light.lensing = false: light runs straight", "true");
+    if (!scene.light.lensing) return bad_input("light.lensing = false: light travels straight", "true");
     TRY(metric, make_metric(scene.spacetime));
     ring.metric_ = std::move(*metric);
     ring.none_ = std::make_shared<const Bodies>(ring.scene_, *ring.metric_);

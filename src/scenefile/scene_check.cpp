@@ -118,7 +118,7 @@ Faults check_warp(const Scene& scene) {
     if (scene.camera.warp.empty()) return {};
     for (const auto& [there, what] :
          {std::pair{scene.camera.zoom.has_value(), "[zoom]"}, {scene.split.has_value(), "[split]"}})
-        if (there) return {{warp, fmt::format("does not go together with {}", what), "one of both", warp}};
+        if (there) return {{warp, fmt::format("cannot be combined with {}", what), "one of both", warp}};
     const auto mesh = load_warp_mesh(scene.camera.warp);
     if (mesh) return {};
     return {file_fault(warp, scene.camera.warp, mesh.error(), "a warp mesh")};
@@ -157,7 +157,7 @@ Faults check_stereo(const Scene& scene) {
     if (!camera.warp.empty())
         return {{key, "stereo cannot be combined with camera.warp", "off where there is a camera.warp", key}};
     if (scene.picture.scale_bar != ScaleBar::kOff)
-        return {{key, "a scale bar is of one picture", "off where there is a picture.scale_bar", key}};
+        return {{key, "a scale bar needs a single picture", "off where there is a picture.scale_bar", key}};
     if (scene.picture.auto_exposure)
         return {{key, "each eye's picture would have its own exposure", "picture.auto_exposure = \"off\"", key}};
     if (all_round && scene.picture.bloom > 0.0)
@@ -180,7 +180,7 @@ Faults check_path(const Scene& scene) {
                           keys ? "two [[path.key]] or more" : "with kind = \"keys\" only"});
     for (const PathKey& key : path.keys)
         if (key.camera.observer != path.keys.front().camera.observer || !same_picture(key.camera, scene.camera))
-            faults.push_back({"path.key", "observer, projection, size, stereo or warp change on the way",
+            faults.push_back({"path.key", "observer, projection, size, stereo or warp change along the path",
                               "one observer, projection, size, pixel_aspect, stereo and warp for all keys"});
     return faults;
 }
@@ -236,7 +236,7 @@ Faults check_scale_bar(const Scene& scene, const World& world) {
     if (!has_scale(*world))
         return {{key, fmt::format("metric \"{}\" has no r_s", scene.spacetime.metric), "off, or another metric"}};
     if (!scene.path && !picture_scale(*world, scene.camera))
-        return {{key, "there is no one scale in this camera's picture",
+        return {{key, "this camera's picture has no single scale",
                  fmt::format("cameras at rest that look at the centre from r >= {}", kLeastScaleRadius)}};
     return {};
 }
@@ -266,7 +266,7 @@ Faults check_ball_path(const Scene& scene, const World& world, const BallMotionA
     return {
         {key,
          fmt::format("the middle of the ball is inside the horizon, r = {:.4g}, from t = {:.4g} to {:.4g}, which is "
-                     "seen at time {}; nothing comes out of a hole",
+                     "seen at time {}; it cannot be seen there",
                      horizon, first, last, scene.time),
          "a path outside the horizon at times that are seen"}};
 }
@@ -288,7 +288,7 @@ Faults check_motion(const Scene& scene, const World& world, const std::string& m
         if (ball == nullptr || !ball->moves()) continue;
         const std::string section = body_section(scene, i), motion = section + ".motion";
         if (world->by_proper_length())
-            faults.push_back({motion, "nothing moves in a wormhole", "still"});
+            faults.push_back({motion, "motion is not supported in a wormhole", "still"});
         else if (const auto moves = ball_motion(*world, *ball); !moves)
             append(faults, one(within(section, moves.error()), motion));
         else if (ball->motion == BallMotion::kPath)

@@ -136,7 +136,7 @@ std::span<const MetricEntry> metric_registry() {
           {"B", "1/A", false, "g_rr."},
           {"R", "r", false, "Areal radius."}},
          FormulaMetric::make},
-        {"minkowski", "Flat spacetime: light runs straight.", {}, flat},
+        {"minkowski", "Flat spacetime: light travels straight.", {}, flat},
     };
     return entries;
 }

@@ -118,7 +118,7 @@ const Broken kBroken[] = {
     {"[medium]\nkind = \"jet\"\nlorentz = nan", 3, "medium.lorentz", "allowed: [1, 1000]"},
     {"[medium]\nkind = \"gas\"\nlorentz = 2", 3, "medium.lorentz", "kind = \"jet\""},
     {"[camera]\nwarp = \"none.data\"", 2, "camera.warp", "there is no file"},
-    {"[camera]\nwarp = \"broken/warp-short.data\"\n[zoom]", 2, "camera.warp", "does not go together with [zoom]"},
+    {"[camera]\nwarp = \"broken/warp-short.data\"\n[zoom]", 2, "camera.warp", "cannot be combined with [zoom]"},
     {"[camera]\nwarp = 3", 2, "camera.warp", "a warp mesh file, relative to the scene file"},
     {"[path]\nkind = \"keys\"\n[[path.key]]\n[[path.key]]\nprojection = \"fisheye\"", 1, "path.key", "projection"},
     {"[camera]\nfov = 60\nplane_width = 1", 2, "camera.fov", "says the same as camera.plane_width"},
