@@ -14,6 +14,13 @@ struct MethodChoice {
     std::string words;
 };
 
+// What every method errs and costs: the frontier that ships.
+struct MethodTable {
+    std::vector<MeasuredMethod> measured;
+    std::string not_measured;  // why it could not be read, or nothing
+};
+MethodTable shipped_methods();
+
 // measured: of load_frontier; empty where that failed.
 MethodChoice method_choice(const std::vector<MeasuredMethod>& measured, const MethodWish& wish, const Scene& scene);
 

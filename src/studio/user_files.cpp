@@ -93,4 +93,10 @@ Status save_settings(const Settings& settings) {
     return write_text_atomically(file, text.str());
 }
 
+Status KeptSettings::keep() {
+    if (now == in_file_) return Done{};
+    in_file_ = now;
+    return save_settings(now);
+}
+
 }  // namespace nullscope::viewer

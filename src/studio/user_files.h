@@ -33,4 +33,15 @@ Settings load_settings();
 // Errors: it cannot be written. Writes nothing, without an error, where there is no home.
 Status save_settings(const Settings& settings);
 
+// As they are now, and in their file.
+class KeptSettings {
+public:
+    Settings now;
+    void load() { now = in_file_ = load_settings(); }
+    Status keep();  // writes them if they have changed; errors: as save_settings, once for each change
+
+private:
+    Settings in_file_;
+};
+
 }  // namespace nullscope::viewer

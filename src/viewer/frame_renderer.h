@@ -3,7 +3,6 @@
 #pragma once
 #include <array>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 #include "plan/effects.h"
 #include "render/renderer.h"
 #include "scene/split.h"
+#include "studio/effect_watch.h"
 #include "studio/paint_job.h"
 
 namespace nullscope::viewer {
@@ -24,13 +24,6 @@ struct PaintProgress {
     Stage stage = Stage::kIdle;
     int rows = 0, of = 0;  // of the picture that is drawn
     friend bool operator==(const PaintProgress&, const PaintProgress&) = default;
-};
-
-// What effects cost in the frame on the screen: the picture's time, less that of the scene without the effect.
-struct EffectTimes {
-    std::map<Effect, double> effects;  // ms
-    double picture_ms = 0.0;           // of the whole
-    bool complete = false;
 };
 
 struct Painting {

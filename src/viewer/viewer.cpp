@@ -17,7 +17,7 @@
 
 #include "base/assets.h"
 #include "image/image_file.h"
-#include "viewer/pace.h"
+#include "studio/pace.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -48,9 +48,8 @@ std::vector<std::string> recent_files(const ViewState& view) {
 
 Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     std::unique_ptr<Viewer> viewer(new Viewer(options));
-    Settings& settings = viewer->settings_;
-    if (!viewer->patient()) settings = load_settings();
-    viewer->kept_settings_ = settings;
+    const Settings& settings = viewer->settings_.now;
+    if (!viewer->patient()) viewer->settings_.load();
     viewer->view_.own = settings.recent;
     viewer->view_.light_theme = settings.light_theme;
     viewer->view_.numbers = settings.numbers;
@@ -68,21 +67,17 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
         viewer->window_->set_icon(icon->width, icon->height, rgba8_of(*icon).data());
     viewer->info_ = gl::info();
     viewer->painter_ = std::make_unique<Painter>(*viewer->window_, !options.one_context, [] { glfwPostEmptyEvent(); });
-    viewer->accuracy_ = std::make_unique<FrameAccuracy>();
-    auto measured = load_frontier(assets_directory() / "frontier.csv");
-    if (measured)
-        viewer->measured_ = std::move(*measured);
-    else
-        viewer->not_measured_ = measured.error().message();
+    viewer->cover_.accuracy = std::make_unique<FrameAccuracy>();
+    viewer->methods_ = shipped_methods();
     if (!options.turns.empty()) {
-        TRY(opened, viewer->log_.open(options.turns));
+        TRY(opened, viewer->logs_.turns.open(options.turns));
     }
-    viewer->layout_log_.open(options.layout);
+    viewer->logs_.layout.open(options.layout);
     viewer->fit_to_window();
-    viewer->shown_ = viewer->view_;
+    viewer->shown_.view = viewer->view_;
     if (viewer->painter_->in_background()) viewer->ask();  // it begins before the panels are there
     viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
-    if (!viewer->patient()) viewer->left_ = left_scene();
+    if (!viewer->patient()) viewer->files_.left = left_scene();
     if (options.gallery || (options.scene.empty() && !viewer->patient()))
         viewer->gallery_.open(viewer->view_.shipped, viewer->tours());
     return viewer;
@@ -95,41 +90,40 @@ Status Viewer::open_first() {
 
 Status Viewer::run() {
     while (!window_->closing() && !refusal_) {
-        if (!step() || !patient() || ++frames_ < options_.after_frames) continue;
+        if (!step() || !patient() || pace_.frames() < options_.after_frames) continue;
         return options_.screenshot.empty() ? Done{} : save_screenshot();
     }
     if (refusal_) return *refusal_;
     if (size_.width > 0 && !window_->is_full_screen()) {
         const PixelSize size = window_->framebuffer();
-        settings_.width = size.width, settings_.height = size.height;
-        settings_.place = window_->place();
+        settings_.now.width = size.width, settings_.now.height = size.height;
+        settings_.now.place = window_->place();
     }
     keep_settings();
-    if (!patient()) autosave_.end(view_.scene, view_.loaded);
-    film_.cancel();
+    if (!patient()) files_.autosave.end(view_.scene, view_.loaded);
+    flight_.film.cancel();
     if (painter_->at_work()) end_process();
     return Done{};
 }
 
 bool Viewer::step() {
     const double wait = window_->has_gamepad() ? std::min(wait_time(), kGamepadWait) : wait_time();
-    waited_ = wait > 0.0 && !in_motion();
+    const bool waited = wait > 0.0 && !in_motion();
     const Input& input = window_->poll(wait);
     if (window_->closing()) return false;
-    const double cpu = thread_cpu_seconds(), dt = elapsed();
-    turn_began_at_ = seconds();
-    if (input.happened) frames_due_ = kSettlingFrames;
-    if (!input.pressed.empty()) last_key_ = input.pressed.back().key;
+    const double cpu = thread_cpu_seconds(), dt = pace_.begin_turn(seconds(), waited);
+    if (input.happened) pace_.want(kSettlingFrames);
+    if (!input.pressed.empty()) logs_.last_key = input.pressed.back().key;
     follow_times();
     bool changed = fit_to_window();
-    coarse_wanted_ |= changed;
+    due_.coarse |= changed;
     if (size_.width == 0 || size_.height == 0) return false;  // minimised
     const bool news = take();
-    if (news) frames_due_ = std::max(frames_due_, kNewsFrames);
+    if (news) pace_.want(kNewsFrames);
 
     // In the frame before: a tooltip goes when the pointer leaves.
     const bool panels_had_pointer = ImGui::GetIO().WantCaptureMouse;
-    panel_system_->begin_frame(settings_.text_scale, view_.light_theme, input.pressed);
+    panel_system_->begin_frame(settings_.now.text_scale, view_.light_theme, input.pressed);
     changed |= open_dropped(input) || open_chosen();
     changed |= handle_keys(input);
     drag_divider(input);
@@ -144,38 +138,36 @@ bool Viewer::step() {
     follow_changes(changed);
     measure_effects(!moving_ && !changed);
     // In one context the window's first frame would wait for the first picture.
-    if (painter_->in_background() || patient() || drawn_at_ > 0.0) ask();
+    if (painter_->in_background() || patient() || pace_.drawn_at() > 0.0) ask();
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse))  // tooltips
-        frames_due_ = std::max(frames_due_, kSettlingFrames);
-    const bool reading = gallery_.is_open() ? gallery_.loading() : view_.show_panels && bookmark_panel_.loading();
-    if (io.WantTextInput || patient() || reading) frames_due_ = std::max(frames_due_, 1);
+        pace_.want(kSettlingFrames);
+    const bool reading =
+        gallery_.is_open() ? gallery_.loading() : view_.show_panels && panels_.bookmark_strip.loading();
+    if (io.WantTextInput || patient() || reading) pace_.want(1);
     const bool drawn =
-        patient() ? settled() : frames_due_ > 0 && (news || !painter_->busy() || seconds() - drawn_at_ >= kBusyWait);
+        patient() ? settled() : pace_.due() && (news || !painter_->busy() || seconds() - pace_.drawn_at() >= kBusyWait);
     if (drawn) {
-        --frames_due_;
         present();
-        log_.turn({1e3 * (thread_cpu_seconds() - cpu), painter_->drawn_by_caller(), picture_.programs, pictures_,
-                   picture_.texture != 0, picture_.coarse(), painter_->busy(),
-                   news_due_at_ ? 1e3 * (seconds() - *news_due_at_) : 0.0});
-        news_due_at_.reset();
+        logs_.turns.turn({1e3 * (thread_cpu_seconds() - cpu), painter_->drawn_by_caller(), shown_.painting.programs,
+                          shown_.number, shown_.is_there(), shown_.painting.coarse(), painter_->busy(),
+                          shown_.news_due_at ? 1e3 * (seconds() - *shown_.news_due_at) : 0.0});
+        shown_.news_due_at.reset();
     } else {
         ImGui::EndFrame();
     }
     log_rest();
     keep_settings();
     if (!patient())
-        if (Status kept = autosave_.keep(view_.scene, view_.loaded, seconds()); !kept) say(kept.error().message());
+        if (Status kept = files_.autosave.keep(view_.scene, view_.loaded, seconds()); !kept)
+            say(kept.error().message());
     return drawn;
 }
 
 void Viewer::follow_times() {
-    if (!message_.empty() && seconds() > message_until_) {
-        message_.clear();
-        frames_due_ = kSettlingFrames;
-    }
-    const bool slow = painter_->busy() && (picture_.texture == 0 || seconds() - asked_at_ > kProgressAfter);
+    if (message_.ends(seconds())) pace_.want(kSettlingFrames);
+    const bool slow = painter_->busy() && (!shown_.is_there() || seconds() - asked_.at > kProgressAfter);
     const PaintProgress progress = slow ? painter_->progress() : PaintProgress{};
-    if (progress != progress_) frames_due_ = std::max(frames_due_, 1);
+    if (progress != progress_) pace_.want(1);
     progress_ = progress;
 }
 
@@ -186,111 +178,121 @@ bool Viewer::panels(const Input& input) {
     bool changed = command && perform(*command);
     if (gallery_.is_open()) {
         const std::string chosen = gallery_.draw(below_menu, screen, recent_files(view_), patient(), escape);
-        if (!message_.empty()) draw_message(message_, 0.0f, ImGui::GetIO().DisplaySize.x, screen);
+        if (!message_.text().empty()) draw_message(message_.text(), 0.0f, ImGui::GetIO().DisplaySize.x, screen);
         return chosen.empty() ? changed : open_file(chosen) || changed;
     }
     draw_marks();
-    const bool of_another = picture_.texture != 0 && shown_.source != view_.source;
-    if (picture_.texture == 0 || (of_another && progress_ != PaintProgress()))
+    const bool of_another = shown_.is_there() && shown_.view.source != view_.source;
+    if (!shown_.is_there() || (of_another && progress_ != PaintProgress()))
         draw_wait(view_.scene.name, progress_, of_another);
     // How tall the strips at the bottom were a frame ago: without the bookmarks, with them.
-    const float timeline = view_.show_panels ? status_height() + timeline_panel_.height() : 0.0f;
-    const float gap = timeline_panel_.height() > 0.0f ? kStripGap * ImGui::GetFontSize() : 0.0f;
-    const bool bookmarks = view_.show_panels && bookmark_panel_.height() > 0.0f;
-    const float above = timeline + (bookmarks ? gap + bookmark_panel_.height() : 0.0f);
-    strips_top_ = screen - above;
+    const float timeline = view_.show_panels ? status_height() + panels_.timeline.height() : 0.0f;
+    const float gap = panels_.timeline.height() > 0.0f ? kStripGap * ImGui::GetFontSize() : 0.0f;
+    const bool bookmarks = view_.show_panels && panels_.bookmark_strip.height() > 0.0f;
+    const float above = timeline + (bookmarks ? gap + panels_.bookmark_strip.height() : 0.0f);
+    panels_.strips_top = screen - above;
     if (view_.show_probe)
-        probe_.draw(view_.show_panels ? side_panel_right() : 0.0f, below_menu, screen - timeline - gap,
-                    view_.show_potential, view_.numbers);
-    draw_over_sides(below_menu, strips_top_);
-    const FrameFacts facts{picture_,      picture_ms_shown_, moving_ ? fps_shown_ : 0.0, size_,
-                           info_,         progress_,         painter_->in_background(),  measured_,
-                           not_measured_, choice_,           accuracy_->facts(),         effect_times_};
-    if (!settings_.hints_seen && !patient() && picture_.texture != 0 && !tour_.is_open()) draw_hints();
+        panels_.probe.draw(view_.show_panels ? side_panel_right() : 0.0f, below_menu, screen - timeline - gap,
+                           view_.show_potential, view_.numbers);
+    draw_over_sides(below_menu, panels_.strips_top);
+    const FrameFacts facts{shown_.painting,
+                           rate_.picture_ms(),
+                           moving_ ? rate_.fps() : 0.0,
+                           size_,
+                           info_,
+                           progress_,
+                           painter_->in_background(),
+                           methods_.measured,
+                           methods_.not_measured,
+                           shown_.choice,
+                           cover_.accuracy->facts(),
+                           effects_.times()};
+    if (!settings_.now.hints_seen && !patient() && shown_.is_there() && !panels_.tour.is_open()) draw_hints();
     if (view_.show_panels) {
-        changed |= editor_.draw(view_, below_menu, strips_top_, escape);
+        changed |= panels_.editor.draw(view_, below_menu, panels_.strips_top, escape);
         follow_path();  // keys and the editor may have taken it away
-        changed |= timeline_panel_.draw(view_, timeline_, film_, side_panel_right(), screen - status_height(), escape);
-        if (std::exchange(timeline_panel_.record_pressed, false)) record(), changed = true;
+        changed |= panels_.timeline.draw(view_, flight_.timeline, flight_.film, side_panel_right(),
+                                         screen - status_height(), escape);
+        if (std::exchange(panels_.timeline.record_pressed, false)) record(), changed = true;
         changed |= draw_bookmarks(screen - timeline - gap, escape);
     }
-    const float top = overlays(below_menu, strips_top_ - tour_.height());
-    if (picture_.texture != 0) left_corner(strips_top_ - tour_.height());
-    changed |= draw_panels(view_, facts, top, strips_top_, escape);
+    const float top = overlays(below_menu, panels_.strips_top - panels_.tour.height());
+    if (shown_.is_there()) left_corner(panels_.strips_top - panels_.tour.height());
+    changed |= draw_panels(view_, facts, top, panels_.strips_top, escape);
     if (const std::string wanted = std::exchange(view_.wanted, {}); !wanted.empty()) {
         leave_scene();
         changed |= static_cast<bool>(load_into(view_, wanted));  // an error is in the panel
     }
-    changed |= tour_panels(view_.show_panels ? side_panel_right() : 0.0f, strips_top_ - gap);
-    if (const std::string path = save_as_.draw(escape); !path.empty()) save_scene_as(path);
-    return (left_ && offer_left_scene()) || changed;
+    changed |= tour_panels(view_.show_panels ? side_panel_right() : 0.0f, panels_.strips_top - gap);
+    if (const std::string path = files_.save_as.draw(escape); !path.empty()) save_scene_as(path);
+    return (files_.left && offer_left_scene()) || changed;
 }
 
 // In the part of the picture that side panel and editor leave free.
 float Viewer::overlays(float top, float bottom) {
     const float gap = kStripGap * ImGui::GetFontSize(), edge = view_.show_panels ? side_panel_right() : 0.0f,
-                right = ImGui::GetIO().DisplaySize.x - (view_.show_panels ? editor_.width() : 0.0f);
-    if (!message_.empty() || view_.fall.ended())
-        draw_message(message_.empty() ? end_of_fall(view_) : message_, edge, right, bottom);
-    if (picture_.texture != 0) top = std::max(top, marks_.labels_bottom());
-    OverlayPlace place{view_, picture_.job.scene, probe_, edge + gap, right - gap, top + gap, bottom};
+                right = ImGui::GetIO().DisplaySize.x - (view_.show_panels ? panels_.editor.width() : 0.0f);
+    const std::string& said = message_.text();
+    if (!said.empty() || view_.fall.ended())
+        draw_message(said.empty() ? end_of_fall(view_) : said, edge, right, bottom);
+    if (shown_.is_there()) top = std::max(top, cover_.marks.labels_bottom());
+    OverlayPlace place{view_, shown_.scene(), panels_.probe, edge + gap, right - gap, top + gap, bottom};
     draw_overlays(Overlay::Where::kTopLeft, place);
     const float left = place.left;
-    draw_zoom_overlay(zoom_words_, left, right - gap, top + gap);
-    if (!timeline_.records()) return top;
-    return top + gap + draw_recording_sign(timeline_.recorded_s(), left + gap, right - gap, top + gap);
+    draw_zoom_overlay(shown_.zoom_words, left, right - gap, top + gap);
+    if (!flight_.timeline.records()) return top;
+    return top + gap + draw_recording_sign(flight_.timeline.recorded_s(), left + gap, right - gap, top + gap);
 }
 
 // What explains the picture there, one above the other.
 void Viewer::left_corner(float bottom) {
     const float left = view_.show_panels ? side_panel_right() : 0.0f,
-                right = ImGui::GetIO().DisplaySize.x -
-                        std::max(view_.show_panels ? editor_.width() : 0.0f, view_.show_probe ? probe_.width() : 0.0f);
-    OverlayPlace place{view_, picture_.job.scene, probe_, left, right, 0.0f, bottom};
+                right = ImGui::GetIO().DisplaySize.x - std::max(view_.show_panels ? panels_.editor.width() : 0.0f,
+                                                                view_.show_probe ? panels_.probe.width() : 0.0f);
+    OverlayPlace place{view_, shown_.scene(), panels_.probe, left, right, 0.0f, bottom};
     draw_overlays(Overlay::Where::kBottomLeft, place);
     if (shows_orders(0) || shows_orders(1)) draw_order_legend(left, right, place.bottom);
 }
 
 bool Viewer::move(const Input& input, double dt) {
     const ImGuiIO& io = ImGui::GetIO();
-    bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse || divider_.has_mouse(),
+    bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse || cover_.divider.has_mouse(),
                                  io.WantCaptureKeyboard || gallery_.is_open());
     if (const auto place = controls_.click(); place && view_.show_panels) pick((*place)[0], (*place)[1]);
     moved |= view_.fall.step(view_.scene, dt);
     moved |= step_clock(view_, dt);
-    moved |= timeline_.step(view_.scene, dt);
+    moved |= flight_.timeline.step(view_.scene, dt);
     if (controls_.dragging()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     return moved;
 }
 
 void Viewer::follow_changes(bool changed) {
     if (changed || moving_) {
-        exposure_left_ = 1.0;
-        coarse_wanted_ |= moving_ || ImGui::IsAnyItemActive() || view_.source != asked_.source;
+        adaptation_.begin();
+        due_.coarse |= moving_ || ImGui::IsAnyItemActive() || view_.source != asked_.view.source;
         fit_to_window();  // a scene that was just loaded has a size of its own
-        if (!picture_due_) due_at_ = turn_began_at_;
-        picture_due_ = true;
-        error_stays_ = false;
-        frames_due_ = std::max(frames_due_, kSettlingFrames);
+        if (!due_.picture) due_.since = pace_.turn_began_at();
+        due_.picture = true;
+        due_.error_stays = false;
+        pace_.want(kSettlingFrames);
     } else {
         if (!ImGui::IsAnyItemActive() && !controls_.dragging() && !in_motion()) history_.rest(view_);
-        picture_due_ = picture_due_ || adapting();
+        due_.picture = due_.picture || adapting();
     }
-    const bool whole = !picture_.job.scene.split;  // errors are a single spacetime's
+    const bool whole = !shown_.scene().split;  // errors are a single spacetime's
     const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
-    if (accuracy_->update(watched, moving_ || changed || picture_due_))
-        frames_due_ = std::max(frames_due_, kNewsFrames);
-    for (std::size_t side = 0; side < orders_.size(); ++side)
-        orders_[side].update(shows_orders(side), moving_ || changed || picture_due_);
+    if (cover_.accuracy->update(watched, moving_ || changed || due_.picture)) pace_.want(kNewsFrames);
+    for (std::size_t side = 0; side < cover_.orders.size(); ++side)
+        cover_.orders[side].update(shows_orders(side), moving_ || changed || due_.picture);
 }
 
 // Under the panels' pointer it stays what it was.
 void Viewer::probe(const Input& input) {
-    if (!view_.show_probe) return probe_.forget();
+    if (!view_.show_probe) return panels_.probe.forget();
     if (ImGui::GetIO().WantCaptureMouse) return;
-    const bool on_b = shown_side_b() != nullptr && input.x >= divider_.x();
-    probe_.look(on_b ? shown_side_b()->scene : picture_.job.scene, input.x, input.y);
-    frames_due_ = kSettlingFrames + 1;  // then what stands beside its window finds its own size
+    const bool on_b = shown_.side_b() != nullptr && input.x >= cover_.divider.x();
+    panels_.probe.look(on_b ? shown_.side_b()->scene : shown_.scene(), input.x, input.y);
+    pace_.want(kSettlingFrames + 1);  // then what stands beside its window finds its own size
 }
 
 bool Viewer::fit_to_window() {
@@ -303,25 +305,24 @@ bool Viewer::fit_to_window() {
 
 // What was shown is shown on, unless there was further input meanwhile.
 void Viewer::refuse(const Painting& painting) {
-    if (painting.job.rays || picture_due_) return;
-    const CameraSpec now = std::exchange(view_.scene, shown_.scene).camera;
+    if (painting.job.rays || due_.picture) return;
+    const CameraSpec now = std::exchange(view_.scene, shown_.view.scene).camera;
     view_.scene.camera.width = now.width, view_.scene.camera.height = now.height;
-    view_.loaded = shown_.loaded;
-    view_.method = shown_.method;
-    view_.off = shown_.off;
-    view_.hidden = shown_.hidden;
-    view_.side_b = shown_.side_b, view_.sides = shown_.sides;
+    view_.loaded = shown_.view.loaded;
+    view_.method = shown_.view.method;
+    view_.off = shown_.view.off;
+    view_.hidden = shown_.view.hidden;
+    view_.side_b = shown_.view.side_b, view_.sides = shown_.view.sides;
     view_.error = painting.ready.error().message();
-    error_stays_ = true;
-    frames_due_ = kSettlingFrames;
+    due_.error_stays = true;
+    pace_.want(kSettlingFrames);
     if (!view_.show_panels) say(view_.error);
-    picture_due_ = picture_.coarse();
+    due_.picture = shown_.painting.coarse();
 }
 
 void Viewer::say(const std::string& message) {
-    message_ = message;
-    message_until_ = seconds() + kMessageTime;
-    frames_due_ = std::max(frames_due_, kSettlingFrames);  // a window that appears is drawn a frame later
+    message_.say(message, seconds());
+    pace_.want(kSettlingFrames);  // a window that appears is drawn a frame later
 }
 
 }  // namespace nullscope::viewer

@@ -40,10 +40,10 @@ Image<unsigned char> reduced(PixelSize from, const std::vector<unsigned char>& r
 
 // Of the picture on the screen. The driver halves it while it is much too large, so that few pixels are read back: 10 ms.
 Image<unsigned char> Viewer::small_picture() const {
-    if (picture_.texture == 0) return {};
-    PixelSize size{picture_.width, picture_.height};
+    if (!shown_.is_there()) return {};
+    PixelSize size{shown_.painting.width, shown_.painting.height};
     gl::Target target;
-    for (unsigned texture = picture_.texture;; texture = target.colours[0].id()) {
+    for (unsigned texture = shown_.painting.texture;; texture = target.colours[0].id()) {
         const bool halve = size.width > 2 * kPictureWidth && size.height > 1;
         const PixelSize next = halve ? PixelSize{size.width / 2, size.height / 2} : size;
         gl::Target smaller = gl::make_target(next.width, next.height, gl::Format::kRgba8);
@@ -60,13 +60,13 @@ Image<unsigned char> Viewer::small_picture() const {
 
 // With the picture of this view, if it is not too long in coming.
 void Viewer::keep_bookmark() {
-    if (!bookmark_due_ || !(settled() || in_motion() || controls_.dragging())) return;
-    bookmark_due_ = false;
+    if (!due_.bookmark || !(settled() || in_motion() || controls_.dragging())) return;
+    due_.bookmark = false;
     Scene scene = view_.scene;
     set_size(scene, view_.loaded.camera.width, view_.loaded.camera.height);
-    const auto kept = bookmarks_.add(scene, view_.source, small_picture());
+    const auto kept = panels_.bookmarks.add(scene, view_.source, small_picture());
     say(kept ? fmt::format("Bookmarked as {} (B shows the bookmarks)", *kept) : kept.error().message());
-    frames_due_ = kSettlingFrames;
+    pace_.want(kSettlingFrames);
 }
 
 // No recent file: it is found among the bookmarks.
@@ -89,11 +89,11 @@ bool Viewer::take_camera(const std::string& file) {
 }
 
 bool Viewer::draw_bookmarks(float bottom, bool escape) {
-    const BookmarkPanel::Chosen chosen = bookmark_panel_.draw(
-        view_, bookmarks_, side_panel_right(),
-        ImGui::GetIO().DisplaySize.x - (view_.show_probe ? probe_.width() : 0.0f), bottom, patient(), escape);
-    bookmark_due_ |= std::exchange(bookmark_panel_.add_pressed, false);
-    if (!bookmark_panel_.message.empty()) say(std::exchange(bookmark_panel_.message, {}));
+    const BookmarkPanel::Chosen chosen = panels_.bookmark_strip.draw(
+        view_, panels_.bookmarks, side_panel_right(),
+        ImGui::GetIO().DisplaySize.x - (view_.show_probe ? panels_.probe.width() : 0.0f), bottom, patient(), escape);
+    due_.bookmark |= std::exchange(panels_.bookmark_strip.add_pressed, false);
+    if (!panels_.bookmark_strip.message.empty()) say(std::exchange(panels_.bookmark_strip.message, {}));
     if (chosen.file.empty()) return false;
     return chosen.camera_only ? take_camera(chosen.file) : open_bookmark(chosen.file);
 }

@@ -37,8 +37,8 @@ std::string clipboard() {
 bool Viewer::handle_keys(const Input& input) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool in_picture = (input.left.pressed || input.middle.pressed || input.right.pressed) && !io.WantCaptureMouse;
-    if (!gallery_.is_open() && picture_.texture != 0 && (in_picture || !input.pressed.empty()))
-        settings_.hints_seen = true;
+    if (!gallery_.is_open() && shown_.is_there() && (in_picture || !input.pressed.empty()))
+        settings_.now.hints_seen = true;
     bool changed = false;
     if (in_picture) panel_system_->navigate(false);
     for (const KeyPress& press : input.pressed) {
@@ -62,7 +62,7 @@ void Viewer::close_topmost() {
          {&view_.show_tours, &view_.show_about, &view_.show_editor, &view_.show_keys, &view_.show_bookmarks})
         if (std::exchange(*shown, false)) return;
     if (std::exchange(view_.show_probe, false)) return;
-    if (tour_.is_open()) return tour_.close();
+    if (panels_.tour.is_open()) return panels_.tour.close();
     if (seconds() - std::exchange(escaped_at_, seconds()) < kQuitWithin_s) return window_->close();
     say("Escape once more, or Ctrl + Q, quits");
 }
@@ -70,8 +70,8 @@ void Viewer::close_topmost() {
 bool Viewer::perform(const Action& action) {
     const auto toggle = [](bool& shown) { return shown = !shown, false; };
     const auto scale_text = [&](double by) {
-        settings_.text_scale = std::clamp(settings_.text_scale + by, kLeastTextScale, kMostTextScale);
-        frames_due_ = kSettlingFrames;
+        settings_.now.text_scale = std::clamp(settings_.now.text_scale + by, kLeastTextScale, kMostTextScale);
+        pace_.want(kSettlingFrames);
         return false;
     };
     const bool ends = action.overlay != nullptr && shows(view_, *action.overlay);
@@ -80,7 +80,7 @@ bool Viewer::perform(const Action& action) {
     switch (action.command) {
         case Command::kGallery: return gallery_.open(view_.shipped, tours()), false;
         case Command::kSave: return save_scene(), false;
-        case Command::kSaveAs: return save_as_.ask(usual_path()), false;
+        case Command::kSaveAs: return files_.save_as.ask(usual_path()), false;
         case Command::kSavePicture: return save_picture(), false;
         case Command::kReload: return open_file(view_.source);
         case Command::kQuit: return window_->close(), false;
@@ -100,7 +100,7 @@ bool Viewer::perform(const Action& action) {
         case Command::kAddSpot: return add("spot");
         case Command::kAddSplit: return add("split");
         case Command::kFall: return fall_freely(), true;
-        case Command::kPlay: return timeline_.play(!timeline_.plays()), false;
+        case Command::kPlay: return flight_.timeline.play(!flight_.timeline.plays()), false;
         case Command::kRecord: return record(), true;
         case Command::kErrors: return toggle(view_.show_errors);
         case Command::kProbe: return toggle(view_.show_probe);
@@ -108,7 +108,7 @@ bool Viewer::perform(const Action& action) {
         case Command::kFullScreen: return window_->toggle_full_screen(), false;
         case Command::kLargerText: return scale_text(kTextStep);
         case Command::kSmallerText: return scale_text(-kTextStep);
-        case Command::kBookmark: return bookmark_due_ = true, false;
+        case Command::kBookmark: return due_.bookmark = true, false;
         case Command::kBookmarks: return toggle(view_.show_bookmarks);
         case Command::kLightTheme: return toggle(view_.light_theme);
         case Command::kOrders: return toggle(view_.show_orders);
@@ -147,7 +147,7 @@ bool Viewer::compare() {
 void Viewer::navigate() {
     view_.show_panels = true;
     panel_system_->navigate(true);
-    frames_due_ = kSettlingFrames;
+    pace_.want(kSettlingFrames);
     say("Arrow keys and Enter work in the panels; Escape returns to the picture");
 }
 
@@ -189,28 +189,29 @@ bool Viewer::paste() {
 }
 
 bool Viewer::add(const std::string& section) {
-    auto added = with_addition(view_.scene, section, SceneEditor::free_part(menu_height(), strips_top_));
+    auto added = with_addition(view_.scene, section, SceneEditor::free_part(menu_height(), panels_.strips_top));
     if (!added) return say(added.error().message()), false;
     view_.scene = std::move(*added);
     if (view_.scene.disc) view_.hidden_disc = *view_.scene.disc;
     const std::string label = last_label(view_.scene, section);
     view_.show_editor = true;
-    editor_.reveal(label);
+    panels_.editor.reveal(label);
     say(fmt::format("Added {}: its numbers and colours are in the scene editor; Ctrl + Z takes it back", label));
     return true;
 }
 
 // What is on the screen is asked, and looked for in the scene as it is now.
 void Viewer::pick(double x, double y) {
-    const Scene& drawn = shown_side_b() != nullptr && x >= divider_.x() ? shown_side_b()->scene : picture_.job.scene;
-    const auto hit = picture_.texture != 0 ? body_at(drawn, x, y) : std::nullopt;
+    const Scene& drawn =
+        shown_.side_b() != nullptr && x >= cover_.divider.x() ? shown_.side_b()->scene : shown_.scene();
+    const auto hit = shown_.is_there() ? body_at(drawn, x, y) : std::nullopt;
     if (!hit) return;
     const auto found = std::ranges::find(view_.scene.bodies, drawn.bodies[*hit]);
     if (found == view_.scene.bodies.end()) return;
     const auto number = static_cast<std::size_t>(found - view_.scene.bodies.begin());
     view_.show_editor = true;
-    editor_.reveal(body_section(view_.scene, number));
-    frames_due_ = kSettlingFrames;
+    panels_.editor.reveal(body_section(view_.scene, number));
+    pace_.want(kSettlingFrames);
 }
 
 void Viewer::toggle_potential() {
@@ -231,13 +232,12 @@ void Viewer::fall_freely() {
 }
 
 void Viewer::record() {
-    if (!timeline_.records()) {
-        timeline_.record(view_.scene);
-        sampled_at_ = seconds();
+    if (!flight_.timeline.records()) {
+        flight_.record(view_.scene, seconds());
         return say("Recording: fly, turn, fall; F9 ends it");
     }
     const bool had_path = view_.scene.path.has_value();
-    if (!timeline_.stop_record(view_.scene)) return say("Nothing was recorded: too short");
+    if (!flight_.timeline.stop_record(view_.scene)) return say("Nothing was recorded: too short");
     view_.fall.stop();
     say(had_path ? "Recorded. The path before was put aside: Ctrl + Z brings it back"
                  : "Recorded: a path of the scene now. Play it (L), draw a film of it, save it (Ctrl + S)");
@@ -245,11 +245,11 @@ void Viewer::record() {
 
 void Viewer::leave_scene() {
     history_.rest(view_);
-    if (timeline_.records() && timeline_.stop_record(view_.scene)) history_.rest(view_);
+    if (flight_.timeline.records() && flight_.timeline.stop_record(view_.scene)) history_.rest(view_);
     Scene loaded = view_.loaded;
     set_size(loaded, view_.scene.camera.width, view_.scene.camera.height);
     if (!view_.scene.path || view_.scene.path == loaded.path) return;
-    const Status kept = keep_recording(timeline_.to_save(view_.scene));
+    const Status kept = keep_recording(flight_.timeline.to_save(view_.scene));
     say(kept ? "The recording was put aside: Ctrl + Z or Last recording in the gallery brings it back"
              : "The recording was put aside: Ctrl + Z brings it back. " + kept.error().message());
 }

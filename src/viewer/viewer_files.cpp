@@ -20,9 +20,9 @@ constexpr int kFilmFrames = 2;  // drawn anew when a film has got on
 bool Viewer::open_dropped(const Input& input) { return !input.dropped.empty() && open_file(input.dropped.back()); }
 
 bool Viewer::open_chosen() {
-    if (std::exchange(gallery_.browse_pressed, false) && !file_dialog_.runs())
-        if (const Status asked = file_dialog_.open(); !asked) say(asked.error().message());
-    const std::string file = file_dialog_.poll();
+    if (std::exchange(gallery_.browse_pressed, false) && !files_.dialog.runs())
+        if (const Status asked = files_.dialog.open(); !asked) say(asked.error().message());
+    const std::string file = files_.dialog.poll();
     return !file.empty() && open_file(file);
 }
 
@@ -51,14 +51,14 @@ void Viewer::save_scene_as(const std::filesystem::path& path) {
 }
 
 void Viewer::save_scene_to(const std::filesystem::path& path) {
-    Scene scene = timeline_.to_save(view_.scene);
+    Scene scene = flight_.timeline.to_save(view_.scene);
     set_size(scene, view_.loaded.camera.width, view_.loaded.camera.height);
     auto checked = savable(scene);
     if (!checked) return say("Not saved: " + checked.error().message());
     scene = std::move(*checked);
     if (Status saved = write_text_atomically(path, kSavedMark + scene_file_text(scene, path.parent_path())); !saved)
         return say(saved.error().message());
-    view_.source = shown_.source = path.string();
+    view_.source = shown_.view.source = path.string();
     view_.loaded = scene;
     own_file(view_, view_.source);
     say(fmt::format("Saved {}", view_.source));
@@ -67,59 +67,52 @@ void Viewer::save_scene_to(const std::filesystem::path& path) {
 bool Viewer::offer_left_scene() {
     bool restored = false;
     std::error_code error;
-    switch (draw_left_scene(*left_)) {
+    switch (draw_left_scene(*files_.left)) {
         case LeftScene::kWaits: return false;
-        case LeftScene::kDiscarded: std::filesystem::remove(*left_, error); break;
+        case LeftScene::kDiscarded: std::filesystem::remove(*files_.left, error); break;
         case LeftScene::kRestored:
-            if (Status taken = take_left_scene(*left_); !taken)
+            if (Status taken = take_left_scene(*files_.left); !taken)
                 say(taken.error().message());
             else
                 restored = open_file(last_session().string());
             break;
     }
-    left_ = left_scene();
+    files_.left = left_scene();
     return restored;
 }
 
 // The scene's path may be new, or gone.
 void Viewer::follow_path() {
-    const bool had_path = timeline_.has_path();
-    timeline_.follow(view_.scene, timeline_source_ != view_.source);
-    if (timeline_.has_path() != had_path || timeline_source_ != view_.source)
-        view_.show_timeline = timeline_.has_path();
-    timeline_source_ = view_.source;
+    if (const auto has_path = flight_.follow(view_)) view_.show_timeline = *has_path;
 }
 
 void Viewer::sample_flight() {
-    if (!timeline_.records()) return;
-    const double now = seconds();
-    if (!timeline_.sample(view_.scene, now - sampled_at_)) say("Observer changed: the recording starts again here");
-    sampled_at_ = now;
-    frames_due_ = std::max(frames_due_, 1);  // the button shows the time
+    if (!flight_.timeline.records()) return;
+    if (!flight_.sample(view_.scene, seconds())) say("Observer changed: the recording starts again here");
+    pace_.want(1);  // the button shows the time
 }
 
 void Viewer::follow_film() {
-    if (!timeline_panel_.refusal.empty()) say(std::exchange(timeline_panel_.refusal, {}));
-    if (const auto wish = std::exchange(timeline_panel_.film_wish, std::nullopt)) {
-        Scene scene = timeline_.to_save(view_.scene);
+    if (!panels_.timeline.refusal.empty()) say(std::exchange(panels_.timeline.refusal, {}));
+    if (const auto wish = std::exchange(panels_.timeline.film_wish, std::nullopt)) {
+        Scene scene = flight_.timeline.to_save(view_.scene);
         view_.hidden.leave_out(scene);
         set_size(scene, wish->width, wish->height);
-        if (Status started = film_.start(scene, std::filesystem::absolute(wish->output).string()); !started)
+        if (Status started = flight_.film.start(scene, std::filesystem::absolute(wish->output).string()); !started)
             say(started.error().message());
     }
-    if (!film_.poll()) return;
-    frames_due_ = kFilmFrames;
-    if (const std::string message = film_.take_message(); !message.empty()) say(message);
+    if (!flight_.film.poll()) return;
+    pace_.want(kFilmFrames);
+    if (const std::string message = flight_.film.take_message(); !message.empty()) say(message);
 }
 
 void Viewer::keep_settings() {
     if (patient()) return;
-    settings_.light_theme = view_.light_theme;
-    settings_.numbers = view_.numbers;
-    settings_.recent.assign(view_.own.begin(), view_.own.begin() + std::min(view_.own.size(), Settings::kMostRecent));
-    if (settings_ == kept_settings_) return;
-    kept_settings_ = settings_;
-    if (Status saved = save_settings(settings_); !saved) say(saved.error().message());
+    settings_.now.light_theme = view_.light_theme;
+    settings_.now.numbers = view_.numbers;
+    settings_.now.recent.assign(view_.own.begin(),
+                                view_.own.begin() + std::min(view_.own.size(), Settings::kMostRecent));
+    if (Status saved = settings_.keep(); !saved) say(saved.error().message());
 }
 
 }  // namespace nullscope::viewer

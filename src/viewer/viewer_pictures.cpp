@@ -51,26 +51,27 @@ std::filesystem::path fresh_screenshot_path() {
 
 void Viewer::ask() {
     const bool busy = painter_->busy();
-    if (!picture_due_) {
-        const bool of_b = orders_[1].asks_for_rays();
-        if (!busy && (accuracy_->asks_for_rays() || orders_[0].asks_for_rays() || of_b))
-            painter_->ask(
-                {picture_.job.scene, picture_.job.method, true, 1.0, false, of_b ? picture_.job.side_b : nullptr});
+    if (!due_.picture) {
+        const bool of_b = cover_.orders[1].asks_for_rays();
+        if (!busy && (cover_.accuracy->asks_for_rays() || cover_.orders[0].asks_for_rays() || of_b))
+            painter_->ask({shown_.scene(), shown_.painting.job.method, true, 1.0, false,
+                           of_b ? shown_.painting.job.side_b : nullptr});
         return;
     }
     const Scene scene = drawn_scene(view_);
-    const bool coarse = coarse_wanted_ && !patient() && !save_due_;
+    const bool coarse = due_.coarse && !patient() && !due_.save;
     if (busy && !(coarse && painter_->gives_up())) return;
-    picture_due_ = coarse_wanted_ = false;
+    due_.picture = due_.coarse = false;
     if (view_.scene.split) view_.side_b.reset();
-    asked_ = view_;
-    asked_at_ = seconds();
-    asked_due_at_ = due_at_;
-    asked_choice_ = method_choice(measured_, view_.method, scene);
-    PaintJob job{scene, asked_choice_.method, false, adaptation(scene), coarse};
+    asked_.view = view_;
+    asked_.at = seconds();
+    asked_.due_at = due_.since;
+    asked_.choice = method_choice(methods_.measured, view_.method, scene);
+    PaintJob job{scene, asked_.choice.method, false,
+                 adaptation_.step(seconds(), patient() || !scene.picture.auto_exposure), coarse};
     if (view_.side_b != nullptr) {
         const Scene b = drawn_side_b(view_);
-        const Method method = method_choice(measured_, view_.side_b->method, b).method;
+        const Method method = method_choice(methods_.measured, view_.side_b->method, b).method;
         job.side_b = std::make_shared<PaintJob>(PaintJob{b, method, false, job.adaptation, coarse});
     }
     painter_->ask(std::move(job));
@@ -80,12 +81,12 @@ bool Viewer::take() {
     auto painting = painter_->take();
     if (!painting) return false;
     if (painting->rays) {
-        orders_[0].take_rays(painting->job.scene, *painting->rays);
-        if (painting->rays_b) orders_[1].take_rays(painting->job.side_b->scene, *painting->rays_b);
-        accuracy_->take_rays(painting->job.scene, std::move(*painting->rays));
+        cover_.orders[0].take_rays(painting->job.scene, *painting->rays);
+        if (painting->rays_b) cover_.orders[1].take_rays(painting->job.side_b->scene, *painting->rays_b);
+        cover_.accuracy->take_rays(painting->job.scene, std::move(*painting->rays));
     } else if (painting->ready)
         show_frame(std::move(*painting));
-    else if (picture_.texture == 0 && !picture_due_)
+    else if (!shown_.is_there() && !due_.picture)
         refusal_ = painting->ready.error();
     else
         refuse(*painting);
@@ -93,91 +94,90 @@ bool Viewer::take() {
 }
 
 void Viewer::show_frame(Painting painting) {
-    if (asked_.scene.name != shown_.scene.name) window_->set_title(asked_.scene.name + kTitle);
-    if (painting.job.method != picture_.job.method ||
-        effect_set(required_effects(painting.job.scene)) != effect_set(required_effects(picture_.job.scene)) ||
-        painting.job.scene.camera.width != picture_.job.scene.camera.width) {
-        effect_times_ = {};
-        times_asked_ = false;
-        changed_at_ = seconds();
+    if (asked_.view.scene.name != shown_.view.scene.name) window_->set_title(asked_.view.scene.name + kTitle);
+    if (painting.job.method != shown_.painting.job.method ||
+        effect_set(required_effects(painting.job.scene)) != effect_set(required_effects(shown_.scene())) ||
+        painting.job.scene.camera.width != shown_.scene().camera.width) {
+        effects_.begin(seconds());
     }
     const auto has_eyes = [](const Painting& one) { return one.job.scene.camera.stereo != Stereo::kOff; };
-    const bool of_two_eyes = has_eyes(painting) && !has_eyes(picture_);
-    picture_ = std::move(painting);
-    if (const PaintJob* b = shown_side_b()) side_words_ = side_words(picture_.job, *b);
-    zoom_words_ = zoom_words(picture_.job.scene);
-    ++pictures_;
-    news_due_at_ = asked_due_at_;
-    measure_rate();
-    if (!picture_.notes.empty()) say(picture_.notes.back());
+    const bool of_two_eyes = has_eyes(painting) && !has_eyes(shown_.painting);
+    shown_.painting = std::move(painting);
+    if (const PaintJob* b = shown_.side_b()) shown_.side_words = side_words(shown_.painting.job, *b);
+    shown_.zoom_words = zoom_words(shown_.scene());
+    ++shown_.number;
+    shown_.news_due_at = asked_.due_at;
+    rate_.shown(seconds(), moving_, shown_.painting.coarse() ? std::nullopt : std::optional(shown_.painting.draw_ms));
+    if (!shown_.painting.notes.empty()) say(shown_.painting.notes.back());
     if (of_two_eyes) say("The window shows what is seen from between the eyes; nullscope capture draws both");
-    choice_ = asked_choice_;
-    accuracy_->frame_is(picture_.job.scene, picture_.job.method);
-    for (std::size_t side = 0; side < orders_.size(); ++side)
-        if (const PaintJob* job = shown_side(side)) orders_[side].frame_is(job->scene, job->method);
-    if (!error_stays_) view_.error.clear();
-    shown_ = asked_;
-    if (save_due_ && !picture_.coarse()) save_picture();
+    shown_.choice = asked_.choice;
+    cover_.accuracy->frame_is(shown_.scene(), shown_.painting.job.method);
+    for (std::size_t side = 0; side < cover_.orders.size(); ++side)
+        if (const PaintJob* job = shown_.side(side)) cover_.orders[side].frame_is(job->scene, job->method);
+    if (!due_.error_stays) view_.error.clear();
+    shown_.view = asked_.view;
+    if (due_.save && !shown_.painting.coarse()) save_picture();
 }
 
 // Those of the picture on the screen: the scene that is asked for may be another already.
 void Viewer::draw_marks() {
-    if (picture_.texture == 0) return;
+    if (!shown_.is_there()) return;
     const ImGuiIO& io = ImGui::GetIO();
     const PixelSize size = window_->framebuffer();  // sharp where pictures are coarse, too
     const float pixels = view_.show_panels ? static_cast<float>(size.width) / io.DisplaySize.x : 0.0f;
-    const PaintJob* b = shown_side_b();  // it has the lower right corner, where the scale bar is
-    marks_.show(b != nullptr ? b->scene : picture_.job.scene, size, static_cast<int>(pixels * menu_height()),
-                static_cast<int>(pixels * 2.0f * ImGui::GetFontSize()));
-    marks_.draw();
+    const PaintJob* b = shown_.side_b();  // it has the lower right corner, where the scale bar is
+    cover_.marks.show(b != nullptr ? b->scene : shown_.scene(), size, static_cast<int>(pixels * menu_height()),
+                      static_cast<int>(pixels * 2.0f * ImGui::GetFontSize()));
+    cover_.marks.draw();
 }
 
 void Viewer::draw(unsigned framebuffer, PixelSize to) {
-    if (picture_.texture != 0)
-        gl::blit(picture_.texture, picture_.width, picture_.height, framebuffer, to.width, to.height);
-    if (picture_.texture_b != 0)
-        gl::blit(picture_.texture_b, picture_.width, picture_.height, framebuffer, to.width, to.height, 0,
-                 divider_.x() * to.width / size_.width);
+    if (shown_.is_there())
+        gl::blit(shown_.painting.texture, shown_.painting.width, shown_.painting.height, framebuffer, to.width,
+                 to.height);
+    if (shown_.painting.texture_b != 0)
+        gl::blit(shown_.painting.texture_b, shown_.painting.width, shown_.painting.height, framebuffer, to.width,
+                 to.height, 0, cover_.divider.x() * to.width / size_.width);
 }
 
 bool Viewer::shows_orders(std::size_t side) const {
-    const PaintJob* job = shown_side(side);
-    return view_.show_orders && picture_.texture != 0 && job != nullptr && no_orders(job->scene).empty();
+    const PaintJob* job = shown_.side(side);
+    return view_.show_orders && shown_.is_there() && job != nullptr && no_orders(job->scene).empty();
 }
 
 void Viewer::drag_divider(const Input& input) {
-    if (shown_side_b() == nullptr) return divider_.let_go();
+    if (shown_.side_b() == nullptr) return cover_.divider.let_go();
     const ImGuiIO& io = ImGui::GetIO();
     const bool panels = view_.show_panels && !gallery_.is_open();
     const double pixels = size_.width / static_cast<double>(io.DisplaySize.x);
-    const int before = divider_.x();
-    const bool was_under = divider_.under_pointer();
-    divider_.follow(input, size_.width, panels ? pixels * side_panel_right() : 0.0,
-                    io.WantCaptureMouse || controls_.dragging());
-    if (divider_.under_pointer()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (divider_.x() != before || divider_.under_pointer() != was_under) frames_due_ = kSettlingFrames;
+    const int before = cover_.divider.x();
+    const bool was_under = cover_.divider.under_pointer();
+    cover_.divider.follow(input, size_.width, panels ? pixels * side_panel_right() : 0.0,
+                          io.WantCaptureMouse || controls_.dragging());
+    if (cover_.divider.under_pointer()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (cover_.divider.x() != before || cover_.divider.under_pointer() != was_under) pace_.want(kSettlingFrames);
 }
 
 void Viewer::draw_over_sides(float top, float bottom) {
-    if (picture_.texture == 0) return;
+    if (!shown_.is_there()) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float unit = screen.x / static_cast<float>(size_.width);
-    const PaintJob* b = shown_side_b();
-    const float parted = b != nullptr ? unit * static_cast<float>(divider_.x()) : screen.x;
+    const PaintJob* b = shown_.side_b();
+    const float parted = b != nullptr ? unit * static_cast<float>(cover_.divider.x()) : screen.x;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     draw.PushClipRect({0.0f, 0.0f}, {parted, screen.y});
-    if (shows_orders(0)) orders_[0].draw();
-    if (view_.show_errors && !picture_.job.scene.split) accuracy_->draw_overlay();
-    OverlayPlace place{view_, picture_.job.scene, probe_, 0.0f, parted, top, bottom};
+    if (shows_orders(0)) cover_.orders[0].draw();
+    if (view_.show_errors && !shown_.scene().split) cover_.accuracy->draw_overlay();
+    OverlayPlace place{view_, shown_.scene(), panels_.probe, 0.0f, parted, top, bottom};
     draw_overlays(Overlay::Where::kPicture, place);
     draw.PopClipRect();
     if (b == nullptr) return;
     draw.PushClipRect({parted, 0.0f}, screen);
-    if (shows_orders(1)) orders_[1].draw();
-    OverlayPlace beside{view_, b->scene, probe_, parted, screen.x, top, bottom};
+    if (shows_orders(1)) cover_.orders[1].draw();
+    OverlayPlace beside{view_, b->scene, panels_.probe, parted, screen.x, top, bottom};
     draw_overlays(Overlay::Where::kPicture, beside);
     draw.PopClipRect();
-    divider_.draw(side_words_, view_.show_panels ? side_panel_right() : 0.0f, top, bottom, unit);
+    cover_.divider.draw(shown_.side_words, view_.show_panels ? side_panel_right() : 0.0f, top, bottom, unit);
 }
 
 Status Viewer::save_screenshot() {
@@ -189,12 +189,12 @@ Status Viewer::save_screenshot() {
 }
 
 void Viewer::save_picture() {
-    save_due_ = picture_.texture == 0 || picture_.coarse();
-    if (save_due_) return;
+    due_.save = !shown_.is_there() || shown_.painting.coarse();
+    if (due_.save) return;
     const auto path = fresh_screenshot_path();
     Image<unsigned char> picture = drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer, size_); });
-    mark_saved_picture(picture_.job.scene, picture);
-    PictureOrigin origin{picture_.job.scene, scene_folders(shown_.source)};
+    mark_saved_picture(shown_.scene(), picture);
+    PictureOrigin origin{shown_.scene(), scene_folders(shown_.view.source)};
     origin.renderer = info_.renderer, origin.version = kVersionText;
     auto words = picture_words(origin);
     if (!words) return say(words.error().message());

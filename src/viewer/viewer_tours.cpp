@@ -8,7 +8,7 @@ namespace nullscope::viewer {
 Status Viewer::start_tour(const std::filesystem::path& file) {
     TRY(tour, load_tour(file));
     if (Status loaded = load_step(view_, tour->steps.front()); !loaded) return loaded;
-    tour_.start(std::move(*tour));
+    panels_.tour.start(std::move(*tour));
     gallery_.close();
     // What lies over the picture is not what its text speaks of.
     for (bool ViewState::*overlay : {&ViewState::show_tours, &ViewState::show_errors, &ViewState::show_orders,
@@ -27,24 +27,24 @@ bool Viewer::open_tour(const std::filesystem::path& file) {
 }
 
 bool Viewer::step_tour(int ahead) {
-    const TourStep* step = gallery_.is_open() ? nullptr : tour_.at(ahead);
+    const TourStep* step = gallery_.is_open() ? nullptr : panels_.tour.at(ahead);
     if (step == nullptr) {
-        if (ahead > 0 && !gallery_.is_open() && tour_.at_last())
+        if (ahead > 0 && !gallery_.is_open() && panels_.tour.at_last())
             say("This was the tour's last step. Escape closes it; Help has other tours");
         return false;
     }
     leave_scene();
     const Status loaded = load_step(view_, *step);
     if (loaded)
-        tour_.go(ahead);
+        panels_.tour.go(ahead);
     else
         say(std::exchange(view_.error, {}));
     return static_cast<bool>(loaded);
 }
 
 const std::vector<TourInfo>& Viewer::tours() {
-    if (tours_.empty()) tours_ = shipped_tours();
-    return tours_;
+    if (panels_.tours.empty()) panels_.tours = shipped_tours();
+    return panels_.tours;
 }
 
 bool Viewer::tour_panels(float left, float bottom) {
@@ -52,8 +52,8 @@ bool Viewer::tour_panels(float left, float bottom) {
     if (view_.show_tours) {
         if (const auto chosen = draw_tour_list(view_.show_tours, tours())) changed = open_tour(*chosen);
     }
-    const int ahead = tour_.draw(left, bottom);
-    if (std::exchange(tour_.others_pressed, false)) view_.show_tours = true, frames_due_ = kSettlingFrames;
+    const int ahead = panels_.tour.draw(left, bottom);
+    if (std::exchange(panels_.tour.others_pressed, false)) view_.show_tours = true, pace_.want(kSettlingFrames);
     return (ahead != 0 && step_tour(ahead)) || changed;
 }
 

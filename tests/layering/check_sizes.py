@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Files of at most 400 lines, functions of at most 60, main() of at most 150, as CONTRIBUTING.md states them; exceptions by name, with the reason.
+The viewer's class, which everything in its window meets in, has at most 35 data members.
 
 Usage: check_sizes.py [--self-test]
 
@@ -14,6 +15,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("src", "shaders", "web/core", "python", "scripts", "tests/support")
 FILE, FUNCTION, MAIN = 400, 60, 150
+MEMBERS = {"src/viewer/viewer.h": ("Viewer", 35)}   # of that class, at most
 # What is longer, its lines, and why.
 ROWS = "rows of a table"
 MARCH = "one loop, in pieces by #ifdef"
@@ -84,17 +86,39 @@ def too_long(lengths):
             yield f"{what}: {length} lines, more than {most}"
 
 
+def data_members(text, name):
+    """Of a class: its names that end with an underscore and are declared, not used."""
+    body = re.search(rf"^class {name}\b[^;{{]*{{\n(.*?)^}};", text, re.M | re.S)[1]
+    body = re.sub(r"//[^\n]*|\b(?:public|private|protected):", "", body)
+    for pair, mark in ((r"\{[^{}]*\}", "@"), (r"\([^()]*\)", "#"), (r"<[^<>]*>", " ")):
+        while (shorter := re.sub(pair, mark, body)) != body:
+            body = shorter
+    statements = [re.sub(r"=[^,]*", "", each) for each in re.split(r";|@\s*\n", body)]
+    return [word for each in statements if "#" not in each for word in re.findall(r"\b[a-z]\w*_\b", each)]
+
+
+def too_many(name, text, kind, most):
+    members = data_members(text, kind)
+    if len(members) > most:
+        yield f"{name}: {kind} has {len(members)} data members, more than {most}"
+
+
 def main():
     if sys.argv[1:] == ["--self-test"]:
         long = "int f(int a) {\n" + "    ++a;\n" * 70 + "}\n"
         assert [line.split(" ")[0] for line in too_long(all_lengths("a.cpp", long + "int g() {\n}\n"))] == ["a.cpp:f:"]
         assert [line.split(" ")[0] for line in too_long(all_lengths("a.py", "def f():\n" + "    pass\n" * 500))] == ["a.py:", "a.py:f:"]
+        kind = "class A {\npublic:\n    int f() const { return a_ + b_; }\n    explicit A(int a) : a_(a), b_{} {}\nprivate:\n" \
+               "    int a_ = 1, b_{2};  // c_\n    std::map<int, int> d_;\n    void g(int e_);\n};\n"
+        assert data_members(kind, "A") == ["a_", "b_", "d_"], data_members(kind, "A")
+        assert list(too_many("a.h", kind, "A", 2)) == ["a.h: A has 3 data members, more than 2"] and not list(too_many("a.h", kind, "A", 3))
         return 0
     files = subprocess.run(["git", "-c", "safe.directory=*", "-C", ROOT, "ls-files", *FOLDERS], capture_output=True, text=True, check=True).stdout.split("\n")
     lengths = [each for name in files if name.endswith((".cpp", ".h", ".inl", ".glsl", ".frag", ".vert", ".py"))
                for each in all_lengths(name, (ROOT / name).read_text(encoding="utf-8"))]
     wrong, lengths = list(too_long(lengths)), dict(lengths)   # of overloads the last: no exception has one
     wrong += [f"{name}: {lengths.get(name, 'no')} lines, no exception any more" for name in EXCEPTIONS if lengths.get(name, 0) <= limit(name)]
+    wrong += [line for name, (kind, most) in MEMBERS.items() for line in too_many(name, (ROOT / name).read_text(encoding="utf-8"), kind, most)]
     print("\n".join(wrong) or f"check_sizes: {len(files)} files, {len(EXCEPTIONS)} exceptions")
     return 1 if wrong else 0
 
