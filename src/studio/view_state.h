@@ -41,22 +41,19 @@ struct ViewState {
     Scene loaded;        // as the file has it
     Scene scene;         // as it is now
     std::vector<SceneInfo> shipped;
-    std::vector<std::string> own;  // paths of files that were opened or saved, the last first
-    std::string error;             // of the last change, or nothing
-    std::string note;              // of the file that was opened last, or nothing
-    bool show_panels = true, show_keys = false, show_about = false, show_editor = false, show_timeline = false;
-    bool show_tours = false;
+    std::vector<std::string> own;                      // paths of files that were opened or saved, the last first
+    std::string error;                                 // of the last change, or nothing
+    std::string note;                                  // of the file that was opened last, or nothing
     bool show_accuracy = false, show_effects = false;  // the section is open
     bool show_errors = false;                          // over the picture
     bool show_grid = false;                            // of coordinates, on sky and disc
-    bool show_probe = false;                           // the ray of the pixel under the cursor
     bool show_potential = false;                       // of the probe's ray
-    bool show_bookmarks = false;
-    bool show_orders = false;                       // image orders in colours
-    std::set<std::string, std::less<>> overlays{};  // that are on, by their names
-    bool light_theme = false;                       // of the panels
-    NumberStyle numbers;                            // how Numbers, probe and clocks are written
-    std::shared_ptr<const SideB> side_b;            // right of the divider; nullptr: no comparison
+    bool show_orders = false;                          // image orders in colours
+    std::set<std::string, std::less<>> panels{};       // that are open, by their names
+    std::set<std::string, std::less<>> overlays{};     // that are on, likewise
+    bool light_theme = false;                          // of the panels
+    NumberStyle numbers;                               // how Numbers, probe and clocks are written
+    std::shared_ptr<const SideB> side_b;               // right of the divider; nullptr: no comparison
     int sides = 0;  // twice the number of comparisons until now, 1 more while sides are swapped
     MethodWish method;
     Fall fall;                       // of the camera, once it was let go

@@ -1,5 +1,7 @@
 #include "viewer/bookmark_panel.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "viewer/panel_rows.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
@@ -38,11 +41,10 @@ void draw_broken(const std::vector<Bookmark>& all) {
 
 }  // namespace
 
-BookmarkPanel::Chosen BookmarkPanel::draw(ViewState& view, Bookmarks& bookmarks, float left, float right, float bottom,
+BookmarkPanel::Chosen BookmarkPanel::draw(bool& open, Bookmarks& bookmarks, float left, float right, float bottom,
                                           bool all, bool escape) {
     height_ = 0.0f;
     loading_ = false;
-    if (!view.show_bookmarks) return shown_ = false, renamed_.clear(), Chosen();
     if (!std::exchange(shown_, true)) bookmarks.list();
     pictures_.begin_frame();
     read_one(bookmarks, all);
@@ -57,7 +59,7 @@ BookmarkPanel::Chosen BookmarkPanel::draw(ViewState& view, Bookmarks& bookmarks,
     if (ImGui::Begin("##bookmarks", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize)) {
-        draw_buttons(view, bookmarks);
+        draw_buttons(open, bookmarks);
         draw_broken(bookmarks.all());
         chosen = draw_cards(bookmarks, card, all, escape);
         height_ = ImGui::GetWindowHeight() + margin;
@@ -65,6 +67,12 @@ BookmarkPanel::Chosen BookmarkPanel::draw(ViewState& view, Bookmarks& bookmarks,
     ImGui::End();
     loading_ |= pictures_.loading();
     return chosen;
+}
+
+void BookmarkPanel::forget() {
+    height_ = 0.0f;
+    loading_ = shown_ = false;
+    renamed_.clear();
 }
 
 void BookmarkPanel::read_one(Bookmarks& bookmarks, bool all) {
@@ -75,11 +83,11 @@ void BookmarkPanel::read_one(Bookmarks& bookmarks, bool all) {
     }
 }
 
-void BookmarkPanel::draw_buttons(ViewState& view, Bookmarks& bookmarks) {
+void BookmarkPanel::draw_buttons(bool& open, Bookmarks& bookmarks) {
     if (ImGui::Button("Add this view")) add_pressed = true;
     tooltip("Keeps the scene as it is now, with the camera and a picture (Ctrl + B).");
     next_to(button_width("Close"));
-    if (ImGui::Button("Close")) view.show_bookmarks = false;
+    if (ImGui::Button("Close")) open = false;
     tooltip("B shows the bookmarks again.");
     const std::string removed = bookmarks.last_removed();
     if (removed.empty()) return;
@@ -181,5 +189,28 @@ void BookmarkPanel::rename(Bookmarks& bookmarks, const std::string& stem) {
     if (old == bookmarks.all().end() || old->name == new_name_) return;
     take(bookmarks.rename(stem, new_name_), "Renamed to " + new_name_, message);
 }
+
+namespace {
+
+void draw_bookmarks(PanelPlace& place) {
+    BookmarkPanel& strip = place.parts.bookmark_strip;
+    const float right = place.right - (is_open(place.view, kProbePanel) ? place.parts.probe.width() : 0.0f);
+    place.parts.bookmark = strip.draw(place.open, place.parts.bookmarks, place.left, right, place.bottom - place.gap,
+                                      place.all, place.escape);
+    if (strip.height() > 0.0f) place.bottom -= place.gap + strip.height();
+}
+
+}  // namespace
+
+const Panel kBookmarksPanel{
+    .menu = "View",
+    .name = "Bookmarks",
+    .keys = "B",
+    .key = GLFW_KEY_B,
+    .words = "views that were kept",
+    .where = Panel::Where::kDocked,
+    .draw = draw_bookmarks,
+    .forget = [](PanelParts& parts) { parts.bookmark_strip.forget(); },
+};
 
 }  // namespace nullscope::viewer

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "studio/bookmarks.h"
-#include "studio/view_state.h"
 #include "viewer/card_pictures.h"
 
 namespace nullscope::viewer {
@@ -15,11 +14,12 @@ public:
         bool camera_only = false;  // what is shown stays, the camera goes where that scene's is
     };
     // Between NewFrame and Render, from `left` to `right` where there is room for a card, above `bottom`. all:
-    // nothing is left for later frames. escape: the key was pressed. throws gl::GlError.
-    Chosen draw(ViewState& view, Bookmarks& bookmarks, float left, float right, float bottom, bool all, bool escape);
+    // nothing is left for later frames. escape: the key was pressed. open: false once it was closed. throws gl::GlError.
+    Chosen draw(bool& open, Bookmarks& bookmarks, float left, float right, float bottom, bool all, bool escape);
     float height() const {
         return height_;
-    }  // that it took in its last frame, with the gap below; 0 while it is hidden
+    }               // that it took in its last frame, with the gap below; 0 while it is hidden
+    void forget();  // in a frame without it
     bool loading() const { return loading_; }  // files are still to be read: another frame is due
 
     bool add_pressed = false;  // taken by who keeps the view
@@ -27,7 +27,7 @@ public:
 
 private:
     void read_one(Bookmarks& bookmarks, bool all);
-    void draw_buttons(ViewState& view, Bookmarks& bookmarks);
+    void draw_buttons(bool& open, Bookmarks& bookmarks);
     Chosen draw_cards(Bookmarks& bookmarks, float width, bool all, bool escape);
     Chosen draw_card(Bookmarks& bookmarks, const Bookmark& bookmark, float width, bool all, bool escape);
     bool draw_name(Bookmarks& bookmarks, const Bookmark& bookmark, float width);

@@ -10,6 +10,7 @@
 #include "base/manual.h"
 #include "base/text.h"
 #include "version/version.h"
+#include "viewer/panel.h"
 #include "viewer/viewer.h"
 
 namespace {
@@ -35,15 +36,16 @@ constexpr const char* kSceneNames = "nullscope scenes | cut -d\" \" -f1";  // fo
 constexpr const char* kControls =
     "\nIn the window: drag to look around, wheel for the distance, Z and wheel\nto zoom into the photon ring, W A S D "
     "Space C to fly, Q E to roll, R returns to "
-    "the\nscene's camera, H shows the error of every pixel, O colours image orders, Tab hides the panels, Ctrl+Tab "
-    "enters them\nby keyboard, F1 lists all keys, Ctrl+O opens the gallery,\nCtrl+S saves the scene, Ctrl+Z undoes, "
+    "the\nscene's camera, H shows the error of every pixel, O colours image orders, Ctrl+Tab enters the panels\nby "
+    "keyboard, Ctrl+O "
+    "opens the gallery,\nCtrl+S saves the scene, Ctrl+Z undoes, "
     "F12 saves the picture, Ctrl+Q quits. Without a display: "
     "nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer "
     "...\nFor pictures, films, rays and measurements in files, use nullscope (see: nullscope help).";
 
 Command program_of(viewer::ViewerOptions& options, std::string& size, std::string& manual) {
     Command program("nullscope-viewer", kAbout);
-    program.set_footer(kControls);
+    program.set_footer(kControls + ("\n\nPanels, of the menus View and Help:\n" + viewer::panel_help()));
     program.set_version(kVersionText);
     program.add_option("scene", &options.scene, "Scene file, or the name of a built-in scene (default: the gallery)");
     program.add_flag("--gallery", &options.gallery, "Start with the gallery, before the scene");

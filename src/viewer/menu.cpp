@@ -43,19 +43,15 @@ constexpr std::array kEntries = {
     Entry{Command::kCopyView, "Edit", "Copy view", "Ctrl+C", GLFW_KEY_C, true, false, nullptr, true},
     Entry{Command::kPasteView, "Edit", "Paste view", "Ctrl+V", GLFW_KEY_V, true, false, nullptr},
     Entry{Command::kResetCamera, "Edit", "Reset camera", "R", GLFW_KEY_R, false, false, nullptr, true},
-    Entry{Command::kPanels, "View", "Panels", "Tab", GLFW_KEY_TAB, false, false, &ViewState::show_panels},
+    Entry{Command::kPanel, "View", "", "", 0, false, false, nullptr},  // all of this menu
     Entry{Command::kNavigate, "View", "Panels by keyboard", "Ctrl+Tab", GLFW_KEY_TAB, true, false, nullptr},
-    Entry{Command::kEditor, "View", "Scene editor", "Ctrl+E", GLFW_KEY_E, true, false, &ViewState::show_editor},
-    Entry{Command::kTimeline, "View", "Timeline", "Ctrl+T", GLFW_KEY_T, true, false, &ViewState::show_timeline},
     Entry{Command::kErrors, "View", "Errors of pixels", "H", GLFW_KEY_H, false, false, &ViewState::show_errors, true},
-    Entry{Command::kProbe, "View", "Ray of a pixel", "P", GLFW_KEY_P, false, false, &ViewState::show_probe},
     Entry{Command::kPotential, "View", "Effective potential", "", 0, false, false, &ViewState::show_potential},
     Entry{Command::kOrders, "View", "Image orders", "O", GLFW_KEY_O, false, false, &ViewState::show_orders},
     Entry{Command::kOverlay, "View", "", "", 0, false, false, nullptr},  // all of them
     Entry{Command::kCompare, "View", "Compare with this", "X", GLFW_KEY_X, false, false, nullptr, true},
     Entry{Command::kSwapSides, "View", "Swap sides A and B", "Shift+X", GLFW_KEY_X, false, true, nullptr},
     Entry{Command::kBookmark, "View", "Bookmark this view", "Ctrl+B", GLFW_KEY_B, true, false, nullptr, true},
-    Entry{Command::kBookmarks, "View", "Bookmarks", "B", GLFW_KEY_B, false, false, &ViewState::show_bookmarks},
     Entry{Command::kFullScreen, "View", "Full screen", "F11", GLFW_KEY_F11, false, false, nullptr, true},
     Entry{Command::kLargerText, "View", "Larger text", "Ctrl++", GLFW_KEY_EQUAL, true, false, nullptr},
     Entry{Command::kSmallerText, "View", "Smaller text", "Ctrl+-", GLFW_KEY_MINUS, true, false, nullptr},
@@ -70,9 +66,7 @@ constexpr std::array kEntries = {
     Entry{Command::kFall, "Path", "Fall freely", "F", GLFW_KEY_F, false, false, nullptr},
     Entry{Command::kPlay, "Path", "Play, pause", "L", GLFW_KEY_L, false, false, nullptr},
     Entry{Command::kRecord, "Path", "Record, stop", "F9", GLFW_KEY_F9, false, false, nullptr},
-    Entry{Command::kKeys, "Help", "Keys", "F1", GLFW_KEY_F1, false, false, &ViewState::show_keys},
-    Entry{Command::kAbout, "Help", "About", "", 0, false, false, &ViewState::show_about},
-    Entry{Command::kTours, "Help", "Guided tours...", "", 0, false, false, &ViewState::show_tours},
+    Entry{Command::kPanel, "Help", "", "", 0, false, false, nullptr},
     // keys alone, in no menu
     Entry{Command::kTourNext, "", "Next step", "Page Down", GLFW_KEY_PAGE_DOWN, false, false, nullptr},
     Entry{Command::kTourBack, "", "Step before", "Page Up", GLFW_KEY_PAGE_UP, false, false, nullptr},
@@ -104,6 +98,9 @@ std::optional<Action> action_of(const KeyPress& press) {
     for (const Overlay* overlay : overlays())
         if (overlay->key != 0 && overlay->key == key.key && !key.control && !key.shift)
             return Action{Command::kOverlay, overlay};
+    for (const Panel* panel : panels())
+        if (panel->key != 0 && panel->key == key.key && panel->control == key.control && !key.shift)
+            return Action{Command::kPanel, nullptr, panel};
     const auto found = std::ranges::find_if(kEntries, [&](const Entry& entry) {
         return entry.key != 0 && entry.key == key.key && entry.control == key.control && entry.shift == key.shift;
     });
@@ -113,6 +110,7 @@ std::optional<Action> action_of(const KeyPress& press) {
 std::string why_not(const Action& action, const ViewState& view) {
     if (action.overlay != nullptr)
         return action.overlay->why_not != nullptr ? action.overlay->why_not(view) : std::string();
+    if (action.panel != nullptr) return action.panel->why_not != nullptr ? action.panel->why_not(view) : std::string();
     switch (action.command) {
         case Command::kOrders:  // one side may have them
             return view.side_b != nullptr && no_orders(view.side_b->scene).empty() ? "" : no_orders(view.scene);
@@ -138,6 +136,13 @@ std::optional<Action> draw_menu(const ViewState& view, bool escape) {
         for (const Entry& entry : kEntries) {
             if (entry.menu != menu) continue;
             if (entry.begins_group) ImGui::Separator();
+            if (entry.command == Command::kPanel) {
+                for (const Panel* each : panels())
+                    if (each->menu == menu)
+                        item({Command::kPanel, nullptr, each}, each->name, each->keys, is_open(view, *each),
+                             each->help);
+                continue;
+            }
             if (entry.command == Command::kOverlay) {
                 for (const Overlay* each : overlays())
                     item({Command::kOverlay, each}, each->name, each->keys, shows(view, *each), each->help);

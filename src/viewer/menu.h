@@ -5,6 +5,7 @@
 
 #include "studio/view_state.h"
 #include "viewer/overlay.h"
+#include "viewer/panel.h"
 #include "viewer/window.h"
 
 namespace nullscope::viewer {
@@ -24,17 +25,12 @@ enum class Command {
     kPasteView,
     kResetCamera,
     // view
-    kPanels,
-    kEditor,
-    kTimeline,
     kErrors,
-    kProbe,
     kFullScreen,
     kLargerText,
     kSmallerText,
     kPotential,
     kBookmark,
-    kBookmarks,
     kLightTheme,
     kOrders,
     kCompare,
@@ -52,19 +48,18 @@ enum class Command {
     kFall,
     kPlay,
     kRecord,
-    // help
-    kKeys,
-    kAbout,
-    kTours,
+    // tours
     kTourNext,
     kTourBack,
+    kPanel,    // viewer/panel.h
     kOverlay,  // viewer/overlay.h
 };
 
-// A command, or an overlay's switch.
+// A command, or the switch of an overlay or a panel.
 struct Action {
     Command command;
     const Overlay* overlay = nullptr;
+    const Panel* panel = nullptr;
     friend bool operator==(const Action& action, Command command) { return action.command == command; }
 };
 

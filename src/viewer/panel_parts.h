@@ -1,5 +1,9 @@
 // What the panels keep between frames, and what they ask for.
 #pragma once
+#include <any>
+#include <filesystem>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "studio/bookmarks.h"
@@ -12,6 +16,8 @@
 
 namespace nullscope::viewer {
 
+struct Panel;
+
 struct PanelParts {
     Probe probe;
     SceneEditor editor;
@@ -19,8 +25,17 @@ struct PanelParts {
     Bookmarks bookmarks{state_folder().empty() ? state_folder() : state_folder() / "bookmarks"};
     BookmarkPanel bookmark_strip;
     TourPanel tour;
-    std::vector<TourInfo> tours;  // that ship, once they were asked for
-    float strips_top = 0.0f;      // of timeline, bookmarks and status line at the window's bottom, in the last frame
+    const std::vector<TourInfo>& all_tours() {  // that ship, read once
+        if (tours.empty()) tours = shipped_tours();
+        return tours;
+    }
+    std::vector<TourInfo> tours;
+    float strips_top = 0.0f;  // of timeline, bookmarks and status line at the window's bottom, in the last frame
+    std::map<const Panel*, std::any> kept;  // PanelPlace::kept
+
+    // For the viewer to take.
+    BookmarkPanel::Chosen bookmark;
+    std::optional<std::filesystem::path> tour_chosen;
 };
 
 }  // namespace nullscope::viewer

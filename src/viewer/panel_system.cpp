@@ -150,7 +150,7 @@ void PanelSystem::begin_frame(double text_scale, bool light, const std::vector<K
         return;  // Tab itself goes from field to field
     enters_ = false;
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui::SetWindowFocus(kSidePanel);
+    ImGui::SetWindowFocus(kSideWindow);
 }
 
 bool PanelSystem::navigates() const { return (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; }

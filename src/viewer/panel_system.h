@@ -4,7 +4,7 @@
 
 namespace nullscope::viewer {
 
-inline constexpr const char* kSidePanel = "Panels##side";  // Dear ImGui lists the name before ##
+inline constexpr const char* kSideWindow = "Panels##side";  // Dear ImGui lists the name before ##
 
 class PanelSystem {
 public:

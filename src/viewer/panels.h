@@ -1,5 +1,7 @@
-// What lies over the picture: side panel, status line, keys, messages.
+// What lies over the picture besides panels (viewer/panel.h): status line, messages, what is asked once.
 #pragma once
+#include <imgui.h>
+
 #include <filesystem>
 #include <string>
 
@@ -9,6 +11,12 @@ namespace nullscope::viewer {
 
 // Over a window that has no picture yet, or that of another scene: what is being done. Between NewFrame and Render.
 void draw_wait(const std::string& scene, const PaintProgress& progress, bool over_picture);
+
+// Of windows that are not moved; their distance from the window's edge, and that between strips, of the font's size.
+inline constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                           ImGuiWindowFlags_NoNav;
+inline constexpr float kPanelMargin = 0.6f, kStripGap = 0.6f;
 
 float side_panel_right();  // where the picture begins that it does not cover
 float status_height();     // of the line at the window's bottom
@@ -20,11 +28,7 @@ void draw_message(const std::string& message, float left, float right, float bot
 // A scene that was changed and not saved, of a viewer that did not end as it should: what the user wants with it.
 enum class LeftScene { kWaits, kRestored, kDiscarded };
 LeftScene draw_left_scene(const std::filesystem::path& file);
-// Version, driver and credits, to be copied. shown: false once it was closed.
-void draw_about(bool& shown, const gl::Info& info);
-
-// Between ImGui's NewFrame and Render. The list of keys begins at `top`; what explains the picture lies above
-// `bottom`. True when the scene changed.
-bool draw_panels(ViewState& view, const FrameFacts& facts, float top, float bottom, bool escape);
+// The status line, where it is there, and what explains the colours of errors, above `bottom`.
+void draw_frame_facts(const ViewState& view, const FrameFacts& facts, float bottom);
 
 }  // namespace nullscope::viewer

@@ -1,4 +1,6 @@
 // How the probe is drawn: charts, their legend, and numbers.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 
 #include "scene/bodies.h"
 #include "studio/palette.h"
+#include "viewer/panel_rows.h"
 #include "viewer/probe.h"
 #include "viewer/widgets.h"
 
@@ -160,5 +163,20 @@ void Probe::draw(float left, float top, float bottom, bool potential, const Numb
         draw_rows(rows, layout.first_column, layout.rows, corner.x + kFirstColumn * em);
     });
 }
+
+const Panel kProbePanel{
+    .menu = "View",
+    .name = "Ray of a pixel",
+    .keys = "P",
+    .key = GLFW_KEY_P,
+    .words = "the ray under the cursor",
+    .where = Panel::Where::kCorner,
+    .hides_picture = true,
+    .draw =
+        [](PanelPlace& place) {
+            place.parts.probe.draw(place.left, place.top, place.bottom - place.gap, place.view.show_potential,
+                                   place.view.numbers);
+        },
+};
 
 }  // namespace nullscope::viewer

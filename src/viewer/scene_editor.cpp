@@ -245,9 +245,7 @@ FreePart SceneEditor::free_part(float top, float bottom) {
     return part.right - part.left > kLeast && part.bottom - part.top > kLeast ? part : FreePart();
 }
 
-bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
-    width_ = 0.0f;
-    if (!view.show_editor) return false;
+bool SceneEditor::draw(ViewState& view, bool& open, float top, float bottom, bool escape) {
     const auto spacetime = spacetime_of(view.scene);
     style_ = spacetime != nullptr ? style_in(view.scene, *spacetime, view.numbers) : NumberStyle();
     const float margin = kMargin * em(), screen = ImGui::GetIO().DisplaySize.x, width = window_width();
@@ -255,7 +253,7 @@ bool SceneEditor::draw(ViewState& view, float top, float bottom, bool escape) {
     ImGui::SetNextWindowPos({screen - width - margin, top + margin});
     ImGui::SetNextWindowSize({width, std::max(bottom - top - 2.0f * margin, 4.0f * em())});
     bool changed = false;
-    if (ImGui::Begin("Scene", &view.show_editor,
+    if (ImGui::Begin("Scene", &open,
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoResize)) {
         ImGui::SetNextItemWidth(0.62f * ImGui::GetContentRegionAvail().x);

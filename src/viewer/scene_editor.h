@@ -11,10 +11,11 @@ namespace nullscope::viewer {
 
 class SceneEditor {
 public:
-    // Between NewFrame and Render, at the right of what lies between top and bottom; nothing while view.show_editor is false. True when the
-    // scene changed; what cannot be is said in the window, and changes nothing. escape: the key was pressed, and shuts an open list.
-    bool draw(ViewState& view, float top, float bottom, bool escape);
+    // Between NewFrame and Render, at the right of what lies between top and bottom. True when the scene changed; what cannot be is said in
+    // the window, and changes nothing. open: false once it was closed. escape: the key was pressed, and shuts an open list.
+    bool draw(ViewState& view, bool& open, float top, float bottom, bool escape);
 
+    void forget() { width_ = 0.0f; }        // in a frame without it
     float width() const { return width_; }  // that it takes of the window's right in this frame, with the gap beside it
 
     // What of the window is free between top and bottom, beside the side panel and the editor, open or not; all of it where little is left.

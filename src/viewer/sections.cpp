@@ -11,6 +11,7 @@
 #include "spacetime/registry.h"
 #include "viewer/critical_overlay.h"
 #include "viewer/length_fields.h"
+#include "viewer/panel_rows.h"
 #include "viewer/potential_plot.h"
 #include "viewer/widgets.h"
 
@@ -148,6 +149,16 @@ bool sky_section(ViewState& view, bool escape) {
     return changed;
 }
 
+namespace {
+
+void probe_row(ViewState& view) {
+    bool shown = is_open(view, kProbePanel);
+    if (tick("Probe", shown, "The ray of the pixel under the cursor: its path, its numbers, both parts of g (key P)."))
+        set_open(view, kProbePanel, shown);
+}
+
+}  // namespace
+
 // What light does on its way and before the display shows it: switches to teach with, and the picture's development.
 bool light_section(ViewState& view, bool escape) {
     LightSpec& light = view.scene.light;
@@ -201,11 +212,10 @@ bool light_section(ViewState& view, bool escape) {
                        picture.samples = static_cast<int>(i) + 1, changed = true;
            });
     changed |= tick("Grid", view.show_grid, "Coordinate lines on the sky and the disc instead of their images.");
-    tick("Probe", view.show_probe,
-         "The ray of the pixel under the cursor: its path, its numbers, both parts of g (key P).");
+    probe_row(view);
     if (bool shown = shows(view, kCriticalOverlay); tick("Critical", shown, kCriticalOverlay.help))
         toggle(view, kCriticalOverlay);
-    tick_if(view.show_probe, "Potential", view.show_potential, kPotentialHelp, "Only with the probe.");
+    tick_if(is_open(view, kProbePanel), "Potential", view.show_potential, kPotentialHelp, "Only with the probe.");
     return changed;
 }
 

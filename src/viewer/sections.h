@@ -32,6 +32,7 @@ bool spacetime_rows(SpacetimeSpec& spec, const char* label, const char* id, bool
 // What the panels show and do not edit.
 struct FrameFacts {
     const Painting& painting;  // that is shown; without a texture there is none yet
+    int number = 0;            // of it, another for each picture
     double picture_ms = 0.0;   // of the last picture, without panels
     double fps = 0.0;          // while frames follow each other; 0: drawn on demand
     PixelSize size;

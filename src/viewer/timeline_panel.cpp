@@ -1,5 +1,7 @@
 #include "viewer/timeline_panel.h"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,6 +10,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "viewer/panel_rows.h"
+#include "viewer/panels.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
@@ -25,8 +29,6 @@ constexpr double kSlowest = 0.1, kFastestPlayed = 10.0;
 }  // namespace
 
 bool TimelinePanel::draw(ViewState& view, Timeline& timeline, FilmExport& film, float left, float bottom, bool escape) {
-    height_ = 0.0f;
-    if (!view.show_timeline && !timeline.records() && !film.runs()) return false;
     const float margin = 0.6f * em(), screen = ImGui::GetIO().DisplaySize.x;
     if (screen - left < 20.0f * em()) left = margin;
     ImGui::SetNextWindowPos({left, bottom - margin}, ImGuiCond_Always, {0.0f, 1.0f});
@@ -149,5 +151,31 @@ void TimelinePanel::draw_film(const ViewState& view, FilmExport& film, bool esca
     }
     ImGui::EndPopup();
 }
+
+namespace {
+
+void draw_timeline(PanelPlace& place) {
+    TimelinePanel& panel = place.parts.timeline;
+    place.changed |=
+        panel.draw(place.view, place.flight.timeline, place.flight.film, place.left, place.bottom, place.escape);
+    place.bottom -= panel.height();
+    place.gap = panel.height() > 0.0f ? kStripGap * em() : 0.0f;
+}
+
+}  // namespace
+
+const Panel kTimelinePanel{
+    .menu = "View",
+    .name = "Timeline",
+    .keys = "Ctrl+T",
+    .key = GLFW_KEY_T,
+    .control = true,
+    .words = "the scene's path: play, keys, films",
+    .where = Panel::Where::kDocked,
+    .escapes = false,
+    .needed = [](const PanelPlace& place) { return place.flight.timeline.records() || place.flight.film.runs(); },
+    .draw = draw_timeline,
+    .forget = [](PanelParts& parts) { parts.timeline.forget(); },
+};
 
 }  // namespace nullscope::viewer

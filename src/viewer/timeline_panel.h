@@ -11,11 +11,12 @@ namespace nullscope::viewer {
 
 class TimelinePanel {
 public:
-    // Between NewFrame and Render, from `left` to the window's right edge, above `bottom`; nothing where view.show_timeline is
-    // false, unless something is recorded or filmed. True when the scene changed. What the user asks for beyond that is in the members below until it is taken.
+    // Between NewFrame and Render, from `left` to the window's right edge, above `bottom`. True when the scene changed. What the user asks for beyond
+    // that is in the members below until it is taken.
     bool draw(ViewState& view, Timeline& timeline, FilmExport& film, float left, float bottom, bool escape);
 
     float height() const { return height_; }  // that it takes, 0: it is not there
+    void forget() { height_ = 0.0f; }         // in a frame without it
 
     struct FilmWish {
         std::string output;

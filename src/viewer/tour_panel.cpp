@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "viewer/panel_rows.h"
 #include "viewer/widgets.h"
 
 namespace nullscope::viewer {
@@ -126,5 +127,13 @@ std::optional<std::filesystem::path> draw_tour_list(bool& shown, const std::vect
     if (chosen) shown = false;
     return chosen;
 }
+
+const Panel kToursPanel{
+    .menu = "Help",
+    .name = "Guided tours...",
+    .words = "tours of scenes with a text for each view",
+    .hides_picture = true,
+    .draw = [](PanelPlace& place) { place.parts.tour_chosen = draw_tour_list(place.open, place.parts.all_tours()); },
+};
 
 }  // namespace nullscope::viewer

@@ -1,5 +1,6 @@
 #include "viewer/viewer.h"
 #include "viewer/overlay.h"
+#include "viewer/panel_rows.h"
 #include "viewer/recording_sign.h"
 #include "viewer/ring_zoom.h"
 #include "viewer/sections.h"
@@ -23,7 +24,6 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr const char* kFirstScene = "first-light";
-constexpr float kStripGap = 0.6f;  // of the font's size, between strips of panels
 
 // Without the painter's thread: a driver that compiles, a sky that is built and an image that is read cannot be
 // interrupted. Files are written by this thread, so that none is left half done.
@@ -54,6 +54,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     viewer->view_.light_theme = settings.light_theme;
     viewer->view_.numbers = settings.numbers;
     viewer->view_.shipped = shipped_scenes();
+    for (const Panel* panel : viewer::panels()) set_open(viewer->view_, *panel, panel->at_first);
     if (Status opened = viewer->open_first(); !opened) return opened.error();
     const CameraSpec& camera = viewer->view_.scene.camera;
     const PixelSize usual =
@@ -79,7 +80,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     viewer->panel_system_ = std::make_unique<PanelSystem>(*viewer->window_);
     if (!viewer->patient()) viewer->files_.left = left_scene();
     if (options.gallery || (options.scene.empty() && !viewer->patient()))
-        viewer->gallery_.open(viewer->view_.shipped, viewer->tours());
+        viewer->gallery_.open(viewer->view_.shipped, viewer->panels_.all_tours());
     return viewer;
 }
 
@@ -141,8 +142,7 @@ bool Viewer::step() {
     if (painter_->in_background() || patient() || pace_.drawn_at() > 0.0) ask();
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse))  // tooltips
         pace_.want(kSettlingFrames);
-    const bool reading =
-        gallery_.is_open() ? gallery_.loading() : view_.show_panels && panels_.bookmark_strip.loading();
+    const bool reading = gallery_.is_open() ? gallery_.loading() : panels_.bookmark_strip.loading();
     if (io.WantTextInput || patient() || reading) pace_.want(1);
     const bool drawn =
         patient() ? settled() : pace_.due() && (news || !painter_->busy() || seconds() - pace_.drawn_at() >= kBusyWait);
@@ -173,65 +173,70 @@ void Viewer::follow_times() {
 
 bool Viewer::panels(const Input& input) {
     const bool escape = std::ranges::count(input.pressed, GLFW_KEY_ESCAPE, &KeyPress::key) > 0;
-    const float below_menu = view_.show_panels ? menu_height() : 0.0f, screen = ImGui::GetIO().DisplaySize.y;
-    const auto command = view_.show_panels ? draw_menu(view_, escape) : std::nullopt;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float below_menu = docked(view_) ? menu_height() : 0.0f;
+    const auto command = docked(view_) ? draw_menu(view_, escape) : std::nullopt;
     bool changed = command && perform(*command);
     if (gallery_.is_open()) {
-        const std::string chosen = gallery_.draw(below_menu, screen, recent_files(view_), patient(), escape);
-        if (!message_.text().empty()) draw_message(message_.text(), 0.0f, ImGui::GetIO().DisplaySize.x, screen);
+        const std::string chosen = gallery_.draw(below_menu, screen.y, recent_files(view_), patient(), escape);
+        if (!message_.text().empty()) draw_message(message_.text(), 0.0f, screen.x, screen.y);
         return chosen.empty() ? changed : open_file(chosen) || changed;
     }
+    follow_path();  // keys and the menu may have taken it away
     draw_marks();
     const bool of_another = shown_.is_there() && shown_.view.source != view_.source;
     if (!shown_.is_there() || (of_another && progress_ != PaintProgress()))
         draw_wait(view_.scene.name, progress_, of_another);
-    // How tall the strips at the bottom were a frame ago: without the bookmarks, with them.
-    const float timeline = view_.show_panels ? status_height() + panels_.timeline.height() : 0.0f;
-    const float gap = panels_.timeline.height() > 0.0f ? kStripGap * ImGui::GetFontSize() : 0.0f;
-    const bool bookmarks = view_.show_panels && panels_.bookmark_strip.height() > 0.0f;
-    const float above = timeline + (bookmarks ? gap + panels_.bookmark_strip.height() : 0.0f);
-    panels_.strips_top = screen - above;
-    if (view_.show_probe)
-        panels_.probe.draw(view_.show_panels ? side_panel_right() : 0.0f, below_menu, screen - timeline - gap,
-                           view_.show_potential, view_.numbers);
-    draw_over_sides(below_menu, panels_.strips_top);
-    const FrameFacts facts{shown_.painting,
-                           rate_.picture_ms(),
-                           moving_ ? rate_.fps() : 0.0,
-                           size_,
-                           info_,
-                           progress_,
-                           painter_->in_background(),
-                           methods_.measured,
-                           methods_.not_measured,
-                           shown_.choice,
-                           cover_.accuracy->facts(),
-                           effects_.times()};
     if (!settings_.now.hints_seen && !patient() && shown_.is_there() && !panels_.tour.is_open()) draw_hints();
-    if (view_.show_panels) {
-        changed |= panels_.editor.draw(view_, below_menu, panels_.strips_top, escape);
-        follow_path();  // keys and the editor may have taken it away
-        changed |= panels_.timeline.draw(view_, flight_.timeline, flight_.film, side_panel_right(),
-                                         screen - status_height(), escape);
-        if (std::exchange(panels_.timeline.record_pressed, false)) record(), changed = true;
-        changed |= draw_bookmarks(screen - timeline - gap, escape);
-    }
-    const float top = overlays(below_menu, panels_.strips_top - panels_.tour.height());
-    if (shown_.is_there()) left_corner(panels_.strips_top - panels_.tour.height());
-    changed |= draw_panels(view_, facts, top, panels_.strips_top, escape);
-    if (const std::string wanted = std::exchange(view_.wanted, {}); !wanted.empty()) {
-        leave_scene();
-        changed |= static_cast<bool>(load_into(view_, wanted));  // an error is in the panel
-    }
-    changed |= tour_panels(view_.show_panels ? side_panel_right() : 0.0f, panels_.strips_top - gap);
+    const FrameFacts facts = frame_facts();
+    PanelPlace place{view_, flight_, panels_, facts, 0.0f, screen.x, below_menu, screen.y};
+    if (docked(view_)) place.left = side_panel_right(), place.bottom -= status_height();
+    place.escape = escape, place.all = patient();
+    draw_panels(place, false);
+    panels_.strips_top = place.bottom;
+    draw_over_sides(below_menu, place.bottom);
+    place.top = overlays(below_menu, place.bottom - panels_.tour.height());
+    if (shown_.is_there()) left_corner(place.bottom - panels_.tour.height());
+    draw_frame_facts(view_, facts, place.bottom);
+    draw_panels(place, true);
+    changed |= follow_panels() || place.changed;
+    changed |= tour_panels(place.left, place.bottom - place.gap);
     if (const std::string path = files_.save_as.draw(escape); !path.empty()) save_scene_as(path);
     return (files_.left && offer_left_scene()) || changed;
 }
 
+FrameFacts Viewer::frame_facts() const {
+    return {shown_.painting,
+            shown_.number,
+            rate_.picture_ms(),
+            moving_ ? rate_.fps() : 0.0,
+            size_,
+            info_,
+            progress_,
+            painter_->in_background(),
+            methods_.measured,
+            methods_.not_measured,
+            shown_.choice,
+            cover_.accuracy->facts(),
+            effects_.times()};
+}
+
+// What they ask for.
+bool Viewer::follow_panels() {
+    bool changed = follow_bookmarks();
+    if (std::exchange(panels_.timeline.record_pressed, false)) record(), changed = true;
+    if (const auto tour = std::exchange(panels_.tour_chosen, std::nullopt)) changed |= open_tour(*tour);
+    if (const std::string wanted = std::exchange(view_.wanted, {}); !wanted.empty()) {
+        leave_scene();
+        changed |= static_cast<bool>(load_into(view_, wanted));  // an error is in the panel
+    }
+    return changed;
+}
+
 // In the part of the picture that side panel and editor leave free.
 float Viewer::overlays(float top, float bottom) {
-    const float gap = kStripGap * ImGui::GetFontSize(), edge = view_.show_panels ? side_panel_right() : 0.0f,
-                right = ImGui::GetIO().DisplaySize.x - (view_.show_panels ? panels_.editor.width() : 0.0f);
+    const float gap = kStripGap * ImGui::GetFontSize(), edge = docked(view_) ? side_panel_right() : 0.0f,
+                right = ImGui::GetIO().DisplaySize.x - (docked(view_) ? panels_.editor.width() : 0.0f);
     const std::string& said = message_.text();
     if (!said.empty() || view_.fall.ended())
         draw_message(said.empty() ? end_of_fall(view_) : said, edge, right, bottom);
@@ -246,9 +251,10 @@ float Viewer::overlays(float top, float bottom) {
 
 // What explains the picture there, one above the other.
 void Viewer::left_corner(float bottom) {
-    const float left = view_.show_panels ? side_panel_right() : 0.0f,
-                right = ImGui::GetIO().DisplaySize.x - std::max(view_.show_panels ? panels_.editor.width() : 0.0f,
-                                                                view_.show_probe ? panels_.probe.width() : 0.0f);
+    const float left = docked(view_) ? side_panel_right() : 0.0f,
+                right =
+                    ImGui::GetIO().DisplaySize.x - std::max(docked(view_) ? panels_.editor.width() : 0.0f,
+                                                            is_open(view_, kProbePanel) ? panels_.probe.width() : 0.0f);
     OverlayPlace place{view_, shown_.scene(), panels_.probe, left, right, 0.0f, bottom};
     draw_overlays(Overlay::Where::kBottomLeft, place);
     if (shows_orders(0) || shows_orders(1)) draw_order_legend(left, right, place.bottom);
@@ -258,7 +264,7 @@ bool Viewer::move(const Input& input, double dt) {
     const ImGuiIO& io = ImGui::GetIO();
     bool moved = controls_.apply(input, view_, dt, io.WantCaptureMouse || cover_.divider.has_mouse(),
                                  io.WantCaptureKeyboard || gallery_.is_open());
-    if (const auto place = controls_.click(); place && view_.show_panels) pick((*place)[0], (*place)[1]);
+    if (const auto place = controls_.click(); place && docked(view_)) pick((*place)[0], (*place)[1]);
     moved |= view_.fall.step(view_.scene, dt);
     moved |= step_clock(view_, dt);
     moved |= flight_.timeline.step(view_.scene, dt);
@@ -280,7 +286,7 @@ void Viewer::follow_changes(bool changed) {
         due_.picture = due_.picture || adapting();
     }
     const bool whole = !shown_.scene().split;  // errors are a single spacetime's
-    const bool watched = whole && (view_.show_errors || (view_.show_panels && view_.show_accuracy));
+    const bool watched = whole && (view_.show_errors || (docked(view_) && view_.show_accuracy));
     if (cover_.accuracy->update(watched, moving_ || changed || due_.picture)) pace_.want(kNewsFrames);
     for (std::size_t side = 0; side < cover_.orders.size(); ++side)
         cover_.orders[side].update(shows_orders(side), moving_ || changed || due_.picture);
@@ -288,7 +294,7 @@ void Viewer::follow_changes(bool changed) {
 
 // Under the panels' pointer it stays what it was.
 void Viewer::probe(const Input& input) {
-    if (!view_.show_probe) return panels_.probe.forget();
+    if (!is_open(view_, kProbePanel)) return panels_.probe.forget();
     if (ImGui::GetIO().WantCaptureMouse) return;
     const bool on_b = shown_.side_b() != nullptr && input.x >= cover_.divider.x();
     panels_.probe.look(on_b ? shown_.side_b()->scene : shown_.scene(), input.x, input.y);
@@ -316,7 +322,7 @@ void Viewer::refuse(const Painting& painting) {
     view_.error = painting.ready.error().message();
     due_.error_stays = true;
     pace_.want(kSettlingFrames);
-    if (!view_.show_panels) say(view_.error);
+    if (!docked(view_)) say(view_.error);
     due_.picture = shown_.painting.coarse();
 }
 

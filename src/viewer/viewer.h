@@ -18,7 +18,7 @@
 #include "viewer/controls.h"
 #include "viewer/gallery.h"
 #include "viewer/menu.h"
-#include "viewer/panel_parts.h"
+#include "viewer/panel.h"
 #include "viewer/panel_system.h"
 #include "viewer/panels.h"
 #include "viewer/picture_cover.h"
@@ -52,10 +52,12 @@ private:
     static constexpr const char* kTitle = " - nullscope";  // of the window, behind the scene's name
     Status open_first();                                   // scene or tour
     Status save_screenshot();
-    bool step();                               // one turn of the loop: true if a frame was drawn
-    float overlays(float top, float bottom);   // where they end at the picture's top
-    void left_corner(float bottom);            // of the picture
-    bool panels(const Input& input);           // true if they changed the scene
+    bool step();                              // one turn of the loop: true if a frame was drawn
+    float overlays(float top, float bottom);  // where they end at the picture's top
+    void left_corner(float bottom);           // of the picture
+    bool panels(const Input& input);          // true if they changed the scene
+    bool follow_panels();                     // likewise
+    FrameFacts frame_facts() const;
     bool move(const Input& input, double dt);  // by input, fall and clock: true if something moved
     void follow_changes(bool changed);
     void follow_times();                                        // messages that end, progress that goes on
@@ -112,15 +114,14 @@ private:
     bool open_tour(const std::filesystem::path& file);
     bool step_tour(int ahead);
     bool tour_panels(float left, float bottom);
-    const std::vector<TourInfo>& tours();  // that ship, read once
-    bool offer_left_scene();               // true if it was taken
+    bool offer_left_scene();  // true if it was taken
     void say(const std::string& message);
     // viewer_bookmarks.cpp; true if the scene changed
     Image<unsigned char> small_picture() const;
     void keep_bookmark();
     bool open_bookmark(const std::string& file);
     bool take_camera(const std::string& file);
-    bool draw_bookmarks(float bottom, bool escape);
+    bool follow_bookmarks();
 
     ViewerOptions options_;
     ViewState view_;

@@ -88,12 +88,11 @@ bool Viewer::take_camera(const std::string& file) {
     return static_cast<bool>(taken);
 }
 
-bool Viewer::draw_bookmarks(float bottom, bool escape) {
-    const BookmarkPanel::Chosen chosen = panels_.bookmark_strip.draw(
-        view_, panels_.bookmarks, side_panel_right(),
-        ImGui::GetIO().DisplaySize.x - (view_.show_probe ? panels_.probe.width() : 0.0f), bottom, patient(), escape);
-    due_.bookmark |= std::exchange(panels_.bookmark_strip.add_pressed, false);
-    if (!panels_.bookmark_strip.message.empty()) say(std::exchange(panels_.bookmark_strip.message, {}));
+bool Viewer::follow_bookmarks() {
+    BookmarkPanel& strip = panels_.bookmark_strip;
+    due_.bookmark |= std::exchange(strip.add_pressed, false);
+    if (!strip.message.empty()) say(std::exchange(strip.message, {}));
+    const auto chosen = std::exchange(panels_.bookmark, {});
     if (chosen.file.empty()) return false;
     return chosen.camera_only ? take_camera(chosen.file) : open_bookmark(chosen.file);
 }

@@ -11,6 +11,7 @@
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
 #include "studio/comparison.h"
+#include "viewer/panel_rows.h"
 #include "viewer/picking.h"
 #include "viewer/sections.h"
 #include "viewer/viewer.h"
@@ -58,10 +59,7 @@ bool Viewer::handle_keys(const Input& input) {
 // What is open closes, one thing at a time; when nothing is, a second Escape quits. Lists and the gallery see to themselves.
 void Viewer::close_topmost() {
     if (gallery_.is_open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
-    for (bool* shown :
-         {&view_.show_tours, &view_.show_about, &view_.show_editor, &view_.show_keys, &view_.show_bookmarks})
-        if (std::exchange(*shown, false)) return;
-    if (std::exchange(view_.show_probe, false)) return;
+    if (close_topmost_panel(view_)) return;
     if (panels_.tour.is_open()) return panels_.tour.close();
     if (seconds() - std::exchange(escaped_at_, seconds()) < kQuitWithin_s) return window_->close();
     say("Escape once more, or Ctrl + Q, quits");
@@ -74,11 +72,12 @@ bool Viewer::perform(const Action& action) {
         pace_.want(kSettlingFrames);
         return false;
     };
-    const bool ends = action.overlay != nullptr && shows(view_, *action.overlay);
+    const bool ends = (action.overlay != nullptr && shows(view_, *action.overlay)) ||
+                      (action.panel != nullptr && is_open(view_, *action.panel));
     if (const std::string reason = why_not(action, view_); !reason.empty() && !ends) return say(reason), false;
     history_.rest(view_);  // what was flown until now
     switch (action.command) {
-        case Command::kGallery: return gallery_.open(view_.shipped, tours()), false;
+        case Command::kGallery: return gallery_.open(view_.shipped, panels_.all_tours()), false;
         case Command::kSave: return save_scene(), false;
         case Command::kSaveAs: return files_.save_as.ask(usual_path()), false;
         case Command::kSavePicture: return save_picture(), false;
@@ -89,9 +88,6 @@ bool Viewer::perform(const Action& action) {
         case Command::kCopyView: return copy_view(), false;
         case Command::kPasteView: return paste();
         case Command::kResetCamera: return reset_camera(view_), true;
-        case Command::kPanels: return toggle(view_.show_panels);
-        case Command::kEditor: return toggle(view_.show_editor);
-        case Command::kTimeline: return toggle(view_.show_timeline);
         case Command::kAddPlanet: return add("ball");
         case Command::kAddShell: return add("sphere");
         case Command::kAddRing: return add("cylinder");
@@ -103,23 +99,19 @@ bool Viewer::perform(const Action& action) {
         case Command::kPlay: return flight_.timeline.play(!flight_.timeline.plays()), false;
         case Command::kRecord: return record(), true;
         case Command::kErrors: return toggle(view_.show_errors);
-        case Command::kProbe: return toggle(view_.show_probe);
         case Command::kPotential: return toggle_potential(), false;
         case Command::kFullScreen: return window_->toggle_full_screen(), false;
         case Command::kLargerText: return scale_text(kTextStep);
         case Command::kSmallerText: return scale_text(-kTextStep);
         case Command::kBookmark: return due_.bookmark = true, false;
-        case Command::kBookmarks: return toggle(view_.show_bookmarks);
         case Command::kLightTheme: return toggle(view_.light_theme);
         case Command::kOrders: return toggle(view_.show_orders);
         case Command::kCompare: return compare();
         case Command::kSwapSides: return history_.rest(view_), swap_sides(view_), history_.rest(view_), true;
         case Command::kNavigate: return navigate(), false;
-        case Command::kKeys: return toggle(view_.show_keys);
-        case Command::kAbout: return toggle(view_.show_about);
-        case Command::kTours: return toggle(view_.show_tours);
         case Command::kTourNext: return step_tour(1);
         case Command::kTourBack: return step_tour(-1);
+        case Command::kPanel: return set_open(view_, *action.panel, !ends), false;
         case Command::kOverlay: return viewer::toggle(view_, *action.overlay), false;
     }
     return false;
@@ -145,7 +137,7 @@ bool Viewer::compare() {
 }
 
 void Viewer::navigate() {
-    view_.show_panels = true;
+    set_open(view_, kSidePanel, true);
     panel_system_->navigate(true);
     pace_.want(kSettlingFrames);
     say("Arrow keys and Enter work in the panels; Escape returns to the picture");
@@ -194,7 +186,7 @@ bool Viewer::add(const std::string& section) {
     view_.scene = std::move(*added);
     if (view_.scene.disc) view_.hidden_disc = *view_.scene.disc;
     const std::string label = last_label(view_.scene, section);
-    view_.show_editor = true;
+    set_open(view_, kEditorPanel, true);
     panels_.editor.reveal(label);
     say(fmt::format("Added {}: its numbers and colours are in the scene editor; Ctrl + Z takes it back", label));
     return true;
@@ -209,7 +201,7 @@ void Viewer::pick(double x, double y) {
     const auto found = std::ranges::find(view_.scene.bodies, drawn.bodies[*hit]);
     if (found == view_.scene.bodies.end()) return;
     const auto number = static_cast<std::size_t>(found - view_.scene.bodies.begin());
-    view_.show_editor = true;
+    set_open(view_, kEditorPanel, true);
     panels_.editor.reveal(body_section(view_.scene, number));
     pace_.want(kSettlingFrames);
 }
@@ -220,7 +212,7 @@ void Viewer::toggle_potential() {
     if (!view_.show_potential || spacetime == nullptr) return;
     if (spacetime->axial() != nullptr)
         say("No effective potential about a rotating hole: rays do not stay in a plane");
-    else if (!view_.show_probe)
+    else if (!is_open(view_, kProbePanel))
         say("Effective potential: shown with the ray of a pixel (P)");
 }
 

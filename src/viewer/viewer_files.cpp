@@ -8,6 +8,7 @@
 #include "base/atomic_file.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
+#include "viewer/panel_rows.h"
 #include "viewer/viewer.h"
 
 namespace nullscope::viewer {
@@ -83,7 +84,7 @@ bool Viewer::offer_left_scene() {
 
 // The scene's path may be new, or gone.
 void Viewer::follow_path() {
-    if (const auto has_path = flight_.follow(view_)) view_.show_timeline = *has_path;
+    if (const auto has_path = flight_.follow(view_)) set_open(view_, kTimelinePanel, *has_path);
 }
 
 void Viewer::sample_flight() {

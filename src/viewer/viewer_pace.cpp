@@ -15,7 +15,7 @@ bool Viewer::adapting() const { return adaptation_.goes_on() && view_.scene.pict
 
 void Viewer::log_rest() {
     if (!logs_.are_kept() || !settled() || pace_.due() || in_motion() || adapting()) return;
-    const bool times_due = view_.show_panels && view_.show_effects && !effects_.times().complete;
+    const bool times_due = docked(view_) && view_.show_effects && !effects_.times().complete;
     window_->framebuffer();  // an answer of the display's server: it has shown what it was sent before
     if (const Status written = logs_.layout.rest(logs_.last_key); !written) say(written.error().message());
     logs_.turns.rest(logs_.last_key, cover_.accuracy->at_work() || cover_.orders_at_work() || times_due);
@@ -49,7 +49,7 @@ void Viewer::measure_effects(bool still) {
         effects_.take(std::move(*times));
         pace_.want(kNewsFrames);
     }
-    const bool wanted = view_.show_panels && view_.show_effects;
+    const bool wanted = docked(view_) && view_.show_effects;
     if (wanted && still && !due_.picture && !painter_->busy() && effects_.asks(seconds()))
         painter_->measure(shown_.scene(), shown_.painting.job.method);
 }

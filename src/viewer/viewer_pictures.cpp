@@ -124,7 +124,7 @@ void Viewer::draw_marks() {
     if (!shown_.is_there()) return;
     const ImGuiIO& io = ImGui::GetIO();
     const PixelSize size = window_->framebuffer();  // sharp where pictures are coarse, too
-    const float pixels = view_.show_panels ? static_cast<float>(size.width) / io.DisplaySize.x : 0.0f;
+    const float pixels = docked(view_) ? static_cast<float>(size.width) / io.DisplaySize.x : 0.0f;
     const PaintJob* b = shown_.side_b();  // it has the lower right corner, where the scale bar is
     cover_.marks.show(b != nullptr ? b->scene : shown_.scene(), size, static_cast<int>(pixels * menu_height()),
                       static_cast<int>(pixels * 2.0f * ImGui::GetFontSize()));
@@ -148,7 +148,7 @@ bool Viewer::shows_orders(std::size_t side) const {
 void Viewer::drag_divider(const Input& input) {
     if (shown_.side_b() == nullptr) return cover_.divider.let_go();
     const ImGuiIO& io = ImGui::GetIO();
-    const bool panels = view_.show_panels && !gallery_.is_open();
+    const bool panels = docked(view_) && !gallery_.is_open();
     const double pixels = size_.width / static_cast<double>(io.DisplaySize.x);
     const int before = cover_.divider.x();
     const bool was_under = cover_.divider.under_pointer();
@@ -177,7 +177,7 @@ void Viewer::draw_over_sides(float top, float bottom) {
     OverlayPlace beside{view_, b->scene, panels_.probe, parted, screen.x, top, bottom};
     draw_overlays(Overlay::Where::kPicture, beside);
     draw.PopClipRect();
-    cover_.divider.draw(shown_.side_words, view_.show_panels ? side_panel_right() : 0.0f, top, bottom, unit);
+    cover_.divider.draw(shown_.side_words, docked(view_) ? side_panel_right() : 0.0f, top, bottom, unit);
 }
 
 Status Viewer::save_screenshot() {

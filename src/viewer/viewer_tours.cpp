@@ -1,6 +1,7 @@
 // What the viewer does with guided tours.
 #include <utility>
 
+#include "viewer/panel_rows.h"
 #include "viewer/viewer.h"
 
 namespace nullscope::viewer {
@@ -11,9 +12,8 @@ Status Viewer::start_tour(const std::filesystem::path& file) {
     panels_.tour.start(std::move(*tour));
     gallery_.close();
     // What lies over the picture is not what its text speaks of.
-    for (bool ViewState::*overlay : {&ViewState::show_tours, &ViewState::show_errors, &ViewState::show_orders,
-                                     &ViewState::show_probe, &ViewState::show_potential})
-        view_.*overlay = false;
+    close_for_tour(view_);
+    view_.show_errors = view_.show_orders = view_.show_potential = false;
     view_.overlays.clear();
     return Done{};
 }
@@ -42,19 +42,13 @@ bool Viewer::step_tour(int ahead) {
     return static_cast<bool>(loaded);
 }
 
-const std::vector<TourInfo>& Viewer::tours() {
-    if (panels_.tours.empty()) panels_.tours = shipped_tours();
-    return panels_.tours;
-}
-
 bool Viewer::tour_panels(float left, float bottom) {
-    bool changed = false;
-    if (view_.show_tours) {
-        if (const auto chosen = draw_tour_list(view_.show_tours, tours())) changed = open_tour(*chosen);
-    }
     const int ahead = panels_.tour.draw(left, bottom);
-    if (std::exchange(panels_.tour.others_pressed, false)) view_.show_tours = true, pace_.want(kSettlingFrames);
-    return (ahead != 0 && step_tour(ahead)) || changed;
+    if (std::exchange(panels_.tour.others_pressed, false)) {
+        set_open(view_, kToursPanel, true);
+        pace_.want(kSettlingFrames);
+    }
+    return ahead != 0 && step_tour(ahead);
 }
 
 }  // namespace nullscope::viewer

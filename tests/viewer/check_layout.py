@@ -16,6 +16,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from panel_list import panels
 from viewer_process import EVERYTHING, Viewer, dice, keep_programs
 from x_screen import Screen, missing_tools
 
@@ -37,7 +38,8 @@ def covers(layout):
 class Reader:
     """A viewer, and what was wrong in it."""
 
-    def __init__(self, viewer, label, pictures, with_tooltips):
+    def __init__(self, program, viewer, label, pictures, with_tooltips):
+        self.program = program
         self.viewer, self.label, self.pictures, self.found, self.layout = viewer, label, pictures, set(), None
         self.with_tooltips = with_tooltips
 
@@ -96,11 +98,18 @@ def check(reader, width, height):
         reader.tooltips("##side")
         reader.look("sections", *away)
         reader.click(f"section {name}", name, "##side")
-    for what, keys in [("list of keys", ["F1"]), ("editor", ["ctrl+e"]), ("timeline", ["ctrl+t"]), ("errors", ["h"]),
-                       ("gallery", ["ctrl+o"]), ("bookmarks", ["ctrl+b", "b"]), ("comparison", ["x"])]:
-        reader.look(what, *away, *(word for key in keys for word in ("key", key)))
-        if what == "editor":
+    reader.look("a bookmark", "key", "ctrl+b")
+    for name, keys, _ in panels(reader.program):
+        key = keys if re.fullmatch(r"Tab|F\d+", keys) else keys.lower()     # as xdotool has it
+        reader.look(f"without {name}" if name == "Panels" else name, *away, *(["key", key] if key else []))
+        if not key:
+            reader.click("menu Help", "Help", "##MainMenuBar")
+            reader.click(name, name.removesuffix("..."), "##Menu")
+        if name == "Scene editor":
             reader.tooltips("Scene")
+        reader.look("closed", *away, "key", key or "Escape")
+    for what, keys in [("errors", ["h"]), ("gallery", ["ctrl+o"]), ("comparison", ["x"])]:
+        reader.look(what, *away, *(word for key in keys for word in ("key", key)))
         reader.look("closed", *away, "key", "Escape" if what == "gallery" else keys[-1])
     reader.look("zoom", "mousemove", 2 * width // 3, height // 2, "keydown", "z", *["click", 4] * 20, "keyup", "z")
     reader.look("closed", *away, "key", "r")
@@ -158,7 +167,7 @@ def main():
         viewer = Viewer(screen, os.path.abspath(options.viewer), "--size", size, "--coarse", options.coarse, "--layout", "layout.txt",
                         settings=f"text_scale = {float(scale)}\n")
         with_tooltips = every or (EVERYTHING and (size, scale) == hardest)
-        reader = Reader(viewer, f"{size} text *{scale}", options.pictures, with_tooltips)
+        reader = Reader(options.viewer, viewer, f"{size} text *{scale}", options.pictures, with_tooltips)
         try:
             viewer.start()
             check(reader, width, height)

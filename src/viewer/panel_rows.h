@@ -1,0 +1,21 @@
+// All panels, in the menus' order; drawn in this order, closed by Escape in the other.
+#pragma once
+#include "viewer/panel.h"
+
+namespace nullscope::viewer {
+
+extern const Panel kSidePanel, kTimelinePanel, kProbePanel, kBookmarksPanel, kKeysPanel, kEditorPanel, kAboutPanel,
+    kToursPanel;
+
+inline constexpr const Panel* kPanels[] = {
+    &kSidePanel,       //
+    &kTimelinePanel,   //
+    &kProbePanel,      //
+    &kBookmarksPanel,  // beside the probe
+    &kKeysPanel,       //
+    &kEditorPanel,     // above the strips
+    &kAboutPanel,      //
+    &kToursPanel,      //
+};
+
+}  // namespace nullscope::viewer
