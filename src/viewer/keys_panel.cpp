@@ -19,7 +19,7 @@ constexpr std::pair<const char*, const char*> kFixedKeys[] = {
     {"Left drag", "look around"},
     {"Click on a body", "its section of the scene editor"},
     {"Right drag, Q E", "roll"},
-    {"Middle drag", "go round the hole; Alt + drag, too"},
+    {"Middle drag", "around the hole; also Alt + drag"},
     {"Wheel", "distance to the horizon"},
     {"Shift + wheel", "field of view"},
     {"Z + wheel", "zoom into the photon ring"},

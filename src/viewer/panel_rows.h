@@ -4,14 +4,15 @@
 
 namespace nullscope::viewer {
 
-extern const Panel kSidePanel, kTimelinePanel, kProbePanel, kBookmarksPanel, kKeysPanel, kEditorPanel, kAboutPanel,
-    kToursPanel;
+extern const Panel kSidePanel, kTimelinePanel, kProbePanel, kBookmarksPanel, kHistogramPanel, kKeysPanel, kEditorPanel,
+    kAboutPanel, kToursPanel;
 
 inline constexpr const Panel* kPanels[] = {
     &kSidePanel,       //
     &kTimelinePanel,   //
     &kProbePanel,      //
     &kBookmarksPanel,  // beside the probe
+    &kHistogramPanel,  //
     &kKeysPanel,       //
     &kEditorPanel,     // above the strips
     &kAboutPanel,      //

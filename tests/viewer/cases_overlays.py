@@ -3,6 +3,7 @@ import math
 import tomllib
 
 from viewer_process import *
+from x_screen import read_png
 
 DARK = '[camera]\nr = 22.0\nfov = 60.0\n[sky]\nkind = "black"\n'
 FLAMM = (120, 255, 150)     # of the photon sphere's circle
@@ -192,6 +193,40 @@ def test_framing_guides_lie_over_the_picture(screen, program, folder):
         assert v.picture(area).data == dark, "the guides stay"
 
 
+def test_the_histogram_says_what_the_saved_picture_has(screen, program, folder):
+    def judged(v):
+        v.settle("key", "F12")
+        path = next(Path(v.folder).glob("nullscope-*.png"))
+        data = read_png(path).data
+        path.unlink()
+        pixels = list(zip(data[0::3], data[1::3], data[2::3]))
+        luma = sorted((2126 * r + 7152 * g + 722 * b + 5000) // 10000 for r, g, b in pixels)
+        at = lambda share: f"{luma[math.ceil(share * len(luma)) - 1] / 2.55:.1f} %"
+        part = lambda known: f"{100 * sum(map(known, pixels)) / len(pixels):.2f} %"
+        return {"Median": at(0.5), "99 % below": at(0.99), "Brightest": at(1.0), "Clipped": part(lambda p: max(p) == 255),
+                "Black": part(lambda p: max(p) == 0)}
+
+    def shown(v):
+        rows = {}
+        for _, words, (_, y, _, height) in [text for text in v.layout().texts if text[0] == "Histogram"]:
+            rows.setdefault((y + height // 2 + 3) // 19, []).append(words)
+        words = [" ".join(row) for row in rows.values()]
+        return {name: next(row for row in words if row.startswith(name)).removeprefix(name).strip() for name in judged(v)}
+    scene = DARK + '[disc]\nbrightness = 3.0\n'
+    with opened(screen, program, scene=scene) as v:
+        assert "Histogram" not in v.layout().windows
+        v.settle("key", "g")
+        first = shown(v)
+        assert first == judged(v), (first, judged(v))
+        x, y = v.layout().place("+0.00 EV", "Histogram")
+        v.settle("mousemove", x, y, "mousedown", 1)
+        v.settle("mousemove", x + 40, y, "mouseup", 1)
+        brighter = shown(v)
+        assert brighter == judged(v) != first, (brighter, judged(v))
+        v.settle("key", "Escape")
+        assert "Histogram" not in v.layout().windows, "Escape does not close it"
+
+
 def test_the_windows_place_is_kept(screen, program, folder):
     def place(v):
         words = subprocess.run(["xdotool", "getwindowgeometry", v.window], env=v.env, capture_output=True, text=True).stdout
@@ -307,5 +342,6 @@ if EVERYTHING:
     CASES += [test_both_sides_of_a_comparison_have_image_orders, test_lengths_of_the_panels_are_in_the_chosen_unit,
               test_z_and_the_wheel_zoom_into_the_photon_ring, test_the_ring_of_a_rotating_hole_can_be_zoomed_into,
               test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
-              test_the_embedding_diagram_is_drawn, test_framing_guides_lie_over_the_picture, test_the_windows_place_is_kept,
+              test_the_embedding_diagram_is_drawn, test_framing_guides_lie_over_the_picture,
+              test_the_histogram_says_what_the_saved_picture_has, test_the_windows_place_is_kept,
               test_panels_are_used_by_keyboard, test_the_sides_of_a_comparison_are_swapped]
