@@ -10,6 +10,7 @@
 #include "scene/bodies.h"
 #include "scene/projection.h"
 #include "scenefile/scene_edit.h"
+#include "scenefile/scene_keys.h"
 #include "scenefile/scene_text.h"
 #include "scenefile/scene_writer.h"
 #include "spacetime/registry.h"
@@ -145,12 +146,19 @@ void keep_outside_horizon(Scene& scene) {
 
 void set_fov(CameraSpec& camera, double fov) {
     constexpr double kDegree = std::numbers::pi / 180.0;
+    if (camera.projection == Projection::kPinhole) fov = std::clamp(fov, 1.0 * kDegree, 170.0 * kDegree);
+    set_exact_fov(camera, fov);
+}
+
+void set_exact_fov(CameraSpec& camera, double fov) {
     if (camera.projection == Projection::kCube) return;
-    if (camera.projection == Projection::kPinhole)
-        camera.plane_width =
-            2.0 * camera.focal_distance * std::tan(0.5 * std::clamp(fov, 1.0 * kDegree, 170.0 * kDegree));
-    else
+    if (camera.projection != Projection::kPinhole) {
         camera.plane_width = std::clamp(fov, kNarrowestWide, 2.0 * std::numbers::pi);
+        return;
+    }
+    const KeyRange widths = key_range("camera.plane_width");
+    const double width = fov < std::numbers::pi ? 2.0 * camera.focal_distance * std::tan(0.5 * fov) : widths.high;
+    camera.plane_width = std::clamp(width, widths.low, widths.high);
 }
 
 }  // namespace nullscope::viewer

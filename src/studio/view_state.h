@@ -92,6 +92,7 @@ std::shared_ptr<const Spacetime> spacetime_of(const Scene& scene);
 // For cameras that came with another spacetime: at least the flight range's nearest radius.
 void keep_outside_horizon(Scene& scene);
 
-void set_fov(CameraSpec& camera, double fov);  // clamped to what can be steered: of a pinhole 1 to 170 degrees
+void set_fov(CameraSpec& camera, double fov);        // clamped to what can be steered: of a pinhole 1 to 170 degrees
+void set_exact_fov(CameraSpec& camera, double fov);  // to what a scene file may say
 
 }  // namespace nullscope::viewer

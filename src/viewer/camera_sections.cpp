@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "scene/projection.h"
+#include "scenefile/scene_keys.h"
 #include "studio/boost_words.h"
 #include "studio/fly_camera.h"
 #include "viewer/length_fields.h"
@@ -17,13 +18,13 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr double kFarSlider = 1000.0;  // r_s, end of the slider; more can be typed
-constexpr double kFastest = 0.999999;  // of c
-constexpr double kTurns = 3600.0;      // deg, as far as scene files go
+constexpr double kFastest = 0.999999;  // of c, likewise
 constexpr double kDefaultSpeed = 0.5;  // of a preset where the spacetime suggests none
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
 
 bool radius_rows(CameraSpec& camera, const FlightRange& range, const NumberStyle& style) {
+    const KeyRange files = key_range("camera.r");
     if (range.throat > 0.0) {  // wormholes: through the throat, in equal steps of asinh(l/throat)
         double place = std::asinh(camera.r / range.throat);
         const double end = std::asinh(kFarSlider);
@@ -31,7 +32,7 @@ bool radius_rows(CameraSpec& camera, const FlightRange& range, const NumberStyle
             "Distance", place, -end, end, fmt::format("l = {:.4g}", camera.r),
             "Proper distance l from the throat: 0 at the throat, negative on the far side. The wheel changes it too.");
         if (slid) camera.r = range.throat * std::sinh(place);
-        return type_number("l", camera.r, -1e9, 1e9, "%.6f", "The same as a number to type.") || slid;
+        return type_number("l", camera.r, files.low, files.high, "%.6f", "The same as a number to type.") || slid;
     }
     double above = camera.r - range.horizon;
     const bool slid =
@@ -40,14 +41,14 @@ bool radius_rows(CameraSpec& camera, const FlightRange& range, const NumberStyle
                  "scale. The wheel changes it too.",
                  Scale::kLogarithmic);
     if (slid) camera.r = std::max(range.horizon + above, range.nearest);
-    return type_length("r", camera.r, range.nearest, 1e9, style,
+    return type_length("r", camera.r, range.nearest, files.high, style,
                        "The radial coordinate. The circumference of a circle about the hole is 2 pi r. The section "
                        "Numbers chooses the unit.") ||
            slid;
 }
 
 void set_velocity(ViewState& view, double speed) {
-    view.scene.camera.velocity = std::min(speed, kFastest) * view.boost_direction;
+    view.scene.camera.velocity = std::min(speed, kFastestCamera) * view.boost_direction;
 }
 
 // Turns the boost to a direction, at the speed that belongs to it where there is one.
@@ -98,13 +99,13 @@ bool camera_section(ViewState& view) {
     const auto spacetime = spacetime_of(view.scene);
     const bool changed = spacetime != nullptr &&
                          radius_rows(camera, flight_range(*spacetime), style_in(view.scene, *spacetime, view.numbers));
-    bool turned =
-        drag_degrees("Polar angle", camera.theta, 0.0, 180.0, "theta: 0 above the north pole, 90 in the disc's plane.");
-    turned |= drag_degrees("Azimuth", camera.phi, -kTurns, kTurns, "phi: about the axis of the poles.");
-    turned |=
-        drag_degrees("Yaw", camera.yaw, -kTurns, kTurns, "Rotation to the right; at 0 the camera looks at the centre.");
-    turned |= drag_degrees("Pitch", camera.pitch, -kTurns, kTurns, "Rotation upward, after yaw.");
-    turned |= drag_degrees("Roll", camera.roll, -kTurns, kTurns, "Rotation about the line of sight, after pitch.");
+    bool turned = drag_key_degrees("camera.theta", "Polar angle", camera.theta,
+                                   "theta: 0 above the north pole, 90 in the disc's plane.");
+    turned |= drag_key_degrees("camera.phi", "Azimuth", camera.phi, "phi: about the axis of the poles.");
+    turned |= drag_key_degrees("camera.yaw", "Yaw", camera.yaw,
+                               "Rotation to the right; at 0 the camera looks at the centre.");
+    turned |= drag_key_degrees("camera.pitch", "Pitch", camera.pitch, "Rotation upward, after yaw.");
+    turned |= drag_key_degrees("camera.roll", "Roll", camera.roll, "Rotation about the line of sight, after pitch.");
     if (turned)
         for (double* angle : {&camera.phi, &camera.yaw, &camera.pitch, &camera.roll}) *angle = wrapped(*angle);
     return changed || turned;
@@ -122,7 +123,7 @@ bool boost_section(ViewState& view) {
                             "rapidity.");
     if (changed) set_velocity(view, std::tanh(rapidity));
     speed = length(camera.velocity);
-    const bool typed = type_number("beta", speed, 0.0, kFastest, "%.6f c", "v/c as a number to type.");
+    const bool typed = type_number("beta", speed, 0.0, kFastestCamera, "%.12g c", "v/c as a number to type.");
     if (typed) set_velocity(view, speed);
     changed |= direction_row(view) || typed;
     const auto spacetime = spacetime_of(view.scene);
@@ -135,9 +136,10 @@ bool lens_section(ViewState& view) {
     CameraSpec& camera = view.scene.camera;
     double fov = field_of_view(camera);
     const bool pinhole = camera.projection == Projection::kPinhole;
-    const bool zoomed = slide_degrees("View", fov, pinhole ? 1.0 : 10.0, pinhole ? 170.0 : 360.0,
-                                      "Horizontal field of view. Shift and the wheel change it too.");
-    if (zoomed) set_fov(camera, fov);
+    const bool zoomed = slide_key_degrees(
+        "camera.fov", "View", fov, pinhole ? 1.0 : 10.0, pinhole ? 170.0 : 360.0,
+        "Horizontal field of view, of a pinhole below 180 degrees. Shift and the wheel change it too.");
+    if (zoomed) set_exact_fov(camera, fov);
     return slide_key("camera.exposure", "Exposure", camera.exposure_ev, -10.0, 10.0, "%+.2f EV",
                      "The picture's brightness is multiplied by 2^EV.") ||
            zoomed;

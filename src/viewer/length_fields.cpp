@@ -29,10 +29,11 @@ bool type_length(const char* name, double& length, double low, double high, cons
     });
 }
 
-bool drag_length(const char* name, double& length, double speed, double low, double high, const NumberStyle& style,
-                 const char* help) {
+bool drag_length(const char* name, double& length, double speed, const KeyRange& allowed, double low, double high,
+                 const NumberStyle& style, const char* help) {
     return in_unit(length, style, "%.2f", [&](double& number, double one, const char* format) {
-        return drag_number(name, number, one * speed, one * low, one * high, format, help);
+        const KeyRange in{one * allowed.low, one * allowed.high, allowed.open_low, allowed.open_high};
+        return drag_number(name, number, one * speed, in, one * low, one * high, format, help);
     });
 }
 

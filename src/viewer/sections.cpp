@@ -93,10 +93,11 @@ bool disc_section(ViewState& view) {
     DiscSpec& disc = *view.scene.disc;
     const auto spacetime = spacetime_of(view.scene);
     const NumberStyle style = spacetime ? style_in(view.scene, *spacetime, view.numbers) : NumberStyle();
-    changed |= drag_length("Inner", disc.inner, 0.02, (1.0 - kNarrow) * disc.outer, kNarrow * disc.outer, style,
+    KeyRange inner = key_range("disc.inner"), outer = key_range("disc.outer");
+    inner.high = kNarrow * disc.outer, outer.low = disc.inner / kNarrow, outer.open_low = false;
+    changed |= drag_length("Inner", disc.inner, 0.02, inner, (1.0 - kNarrow) * disc.outer, inner.high, style,
                            "Inner radius. 3 r_s is the innermost stable circular orbit of a hole without spin.");
-    changed |= drag_length("Outer", disc.outer, 0.05, disc.inner / kNarrow, key_range("disc.outer").high, style,
-                           "Outer radius.");
+    changed |= drag_length("Outer", disc.outer, 0.05, outer, outer.low, outer.high, style, "Outer radius.");
     bool thermal = disc.emission == DiscEmission::kThermal;
     changed |= tick("Thermal", thermal, "Thermal emission powered by accretion; an image then gives the emissivity.");
     disc.emission = thermal ? DiscEmission::kThermal : DiscEmission::kImage;
@@ -113,7 +114,8 @@ bool disc_section(ViewState& view) {
                          "Below 1, what lies behind shines through.");
     changed |= slide_key("disc.edge", "Edge", disc.edge, 0.0, 0.5, "%.2f",
                          "Width of the soft edge at both rims, as a fraction of the disc's width.");
-    changed |= drag_degrees("Rotation", disc.rotation, -360.0, 360.0, "Rotation of the disc's image about its axis.");
+    changed |=
+        drag_key_degrees("disc.rotation", "Rotation", disc.rotation, "Rotation of the disc's image about its axis.");
     changed |= slide_key("disc.brightness", "Brightness", disc.brightness, kLeastBrightness, kMostBrightness, "%.2f",
                          "Multiplies the disc's light.", Scale::kLogarithmic);
     return changed;

@@ -190,19 +190,23 @@ void scroll_into_view(float y) {
     ImGui::SetScrollFromPosY((fits ? end : y) - top, fits ? 1.0f : 0.0f);
 }
 
-bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format,
-                 const char* help) {
+bool drag_number(const char* name, double& value, double speed, const KeyRange& allowed, double low, double high,
+                 const char* format, const char* help) {
     row(name, help);
     double edited = value;
-    return ImGui::DragScalar(hidden_id(name).c_str(), ImGuiDataType_Double, &edited, static_cast<float>(speed), &low,
-                             &high, format) &&
-           accept(edited, low, high, value);
+    if (!ImGui::DragScalar(hidden_id(name).c_str(), ImGuiDataType_Double, &edited, static_cast<float>(speed), &low,
+                           &high, format) ||
+        !std::isfinite(edited))
+        return false;
+    value = nearest_allowed(edited, allowed, low, high);
+    return true;
 }
 
-bool drag_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help) {
+bool drag_key_degrees(const char* key, const char* name, double& radians, const char* help) {
     constexpr double kShown = 0.005;  // less is shown as 0, not as -0
+    const KeyRange range = key_range(key);
     double degrees = std::fabs(radians) < kShown * kWidgetDegree ? 0.0 : radians / kWidgetDegree;
-    if (!drag_number(name, degrees, 0.25, low_deg, high_deg, "%.2f\xc2\xb0", help)) return false;
+    if (!drag_number(name, degrees, 0.25, range, range.low, range.high, "%.2f\xc2\xb0", help)) return false;
     radians = degrees * kWidgetDegree;
     return true;
 }
@@ -224,13 +228,6 @@ bool slide_key_degrees(const char* key, const char* name, double& radians, doubl
                        const char* help, When when) {
     double degrees = radians / kWidgetDegree;
     if (!slide_key(key, name, degrees, low_deg, high_deg, "%.1f\xc2\xb0", help, Scale::kLinear, when)) return false;
-    radians = degrees * kWidgetDegree;
-    return true;
-}
-
-bool slide_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help, When when) {
-    double degrees = radians / kWidgetDegree;
-    if (!slide(name, degrees, low_deg, high_deg, "%.1f\xc2\xb0", help, Scale::kLinear, when)) return false;
     radians = degrees * kWidgetDegree;
     return true;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "scene/scene_key.h"
 #include "studio/palette.h"
 
 namespace nullscope::viewer {
@@ -40,10 +41,13 @@ void scroll_into_view(float y);
 enum class Scale { kLinear, kLogarithmic };
 enum class When { kNow, kOnRelease };  // kOnRelease: for what takes a while to build
 
-// All return true when the value changed, always to a finite one in [low, high]. format: of printf.
-bool drag_number(const char* name, double& value, double speed, double low, double high, const char* format,
-                 const char* help);
-bool drag_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help);
+// All return true when the value changed, always to a finite one that is allowed, in [low, high] where nothing else is said. format: of
+// printf.
+// allowed: what can be typed in; the pointer drags it between low and high.
+bool drag_number(const char* name, double& value, double speed, const KeyRange& allowed, double low, double high,
+                 const char* format, const char* help);
+// Of an angle of scene files ("disc.rotation"): over all that the file may say.
+bool drag_key_degrees(const char* key, const char* name, double& radians, const char* help);
 bool slide(const char* name, double& value, double low, double high, const char* format, const std::string& help,
            Scale scale = Scale::kLinear, When when = When::kNow);
 // Of a key of scene files ("disc.temperature"), in the file's unit: slides over low to high; all that the file may say can be typed in,
@@ -52,8 +56,6 @@ bool slide_key(const char* key, const char* name, double& value, double low, dou
                const std::string& help, Scale scale = Scale::kLinear, When when = When::kNow);
 bool slide_key_degrees(const char* key, const char* name, double& radians, double low_deg, double high_deg,
                        const char* help, When when = When::kNow);
-bool slide_degrees(const char* name, double& radians, double low_deg, double high_deg, const char* help,
-                   When when = When::kNow);
 // Slides over a number whose own scale is not what is shown: text.
 bool slide_as(const char* name, double& position, double low, double high, const std::string& text, const char* help,
               Scale scale = Scale::kLinear);

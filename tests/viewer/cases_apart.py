@@ -676,6 +676,34 @@ def test_what_a_scene_file_may_say_can_be_typed_in(screen, program, folder):
         assert tomllib.loads(saved.read_text())["disc"]["temperature"] == 1e3, saved.read_text()
 
 
+def test_the_side_panel_takes_what_the_key_table_allows(screen, program, folder):
+    scene = '[camera]\nr = 20\n[sky]\nkind = "black"\n[disc]\nrotation = 30\n'
+    with Viewer(screen, program, *COARSE, "--layout", "layout.txt", scene=scene) as v:
+        def typed(shown, text, taken, by_click=[]):
+            place = v.layout().place(shown, "##side")
+            assert place, (shown, v.layout().words())
+            v.settle("mousemove", *place)
+            v.settle(*by_click, "mousedown", 1)
+            v.settle("mouseup", 1, *(["keyup", "ctrl"] if by_click else []))
+            v.settle("key", "ctrl+a")
+            v.hands("type", "--delay", 100, text)
+            v.settle("key", "Return")
+            v.settle("mousemove", *BESIDE)
+            assert v.layout().place(taken, "##side"), (shown, text, v.layout().words())
+        control = ["keydown", "ctrl"]
+        typed("0 c", "0.99999995", "0.99999995 c")
+        typed("60.0", "175", "175.0", control)
+        typed("84.80", "200", "180.00", control)     # no more than the file may say
+        for section in ("Camera", "Speed of the camera", "Lens", "Disc"):
+            v.click(*v.layout().place(section, "##side"))
+        typed("30.00", "720", "720.00", control)
+        v.settle("key", "ctrl+s")
+        saved = tomllib.loads(next(path for path in Path(v.folder).glob("*.toml") if path != v.scene).read_text())
+        fov = saved["camera"].get("fov") or math.degrees(2 * math.atan(saved["camera"]["plane_width"] / 2))
+        assert abs(fov - 175) < 1e-9 and saved["disc"]["rotation"] == 720, saved
+        assert max(map(abs, saved["camera"]["velocity"])) == 0.99999995, saved
+
+
 def test_the_light_theme_is_switched_and_kept(screen, program, folder):
     start = lambda again: Viewer(screen, program, *COARSE, "--layout", "layout.txt", first_visit=again, home=folder)
 
@@ -1269,7 +1297,8 @@ if EVERYTHING:
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest,
               test_a_file_is_chosen_in_the_desktops_dialog,
               test_bookmarks_are_kept_opened_renamed_and_deleted,
-              test_what_a_scene_file_may_say_can_be_typed_in, test_the_light_theme_is_switched_and_kept,
+              test_what_a_scene_file_may_say_can_be_typed_in, test_the_side_panel_takes_what_the_key_table_allows,
+              test_the_light_theme_is_switched_and_kept,
               test_a_body_is_hidden_and_shown,
               test_the_cameras_clock_is_shown_and_follows,
               test_two_settings_are_compared_across_a_line_to_drag,
