@@ -23,12 +23,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "viewer"))
 
 import depth
+from panel_list import panels
 from x_screen import read_png
 
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = ROOT / "CONTRIBUTING.md"
 QUICK = not depth.deep()
-RECIPES = ["a metric", "an effect", "a body kind", "a medium model", "a scene section", "an output format"]
+RECIPES = ["a metric", "an effect", "a body kind", "a medium model", "a scene section", "an output format", "a panel"]
 OF_SCENES = RECIPES[:4]   # each has one
 BUILT = ("build", "out")   # folders that are no part of the tree
 SIZE = "160x90"
@@ -140,6 +141,8 @@ def check_promises(steps):
     at_most("a scene section", 5, "")         # with its scene; docs/scenes.md makes six
     at_most("an output format", 3, "src/", "shaders/")   # with src/CMakeLists.txt where a package writes it
     at_most("an output format", 8, "")
+    at_most("a panel", 2, "src/", "shaders/")   # with arithmetic of its own and a test three
+    at_most("a panel", 3, "")                   # six
     for recipe in OF_SCENES:
         if not touched(recipe, "assets/scenes/"):
             raise Wrong(next(step.line for step in steps if step.recipe == recipe), f"{recipe} has no scene")
@@ -222,8 +225,8 @@ def run(*command, cwd=None):
 
 def build(folder):
     cache_of = hashlib.md5(str(ROOT).encode()).hexdigest()   # CMakeLists.txt: what this checkout has compiled is not compiled again
-    run("cmake", "--preset", "release", "-DNULLSCOPE_VIEWER=OFF", "-DNULLSCOPE_TESTS=OFF", f"-DNULLSCOPE_CACHE_OF={cache_of}", cwd=folder)
-    run("cmake", "--build", folder / "build/release", "-j2", "--target", "nullscope")
+    run("cmake", "--preset", "release", "-DNULLSCOPE_TESTS=OFF", f"-DNULLSCOPE_CACHE_OF={cache_of}", cwd=folder)
+    run("cmake", "--build", folder / "build/release", "-j2", "--target", "nullscope", "nullscope-viewer")
     return folder / "build/release/bin/nullscope"
 
 
@@ -296,6 +299,14 @@ def judge_format(pictures):
         raise AssertionError("a .ppm is not the .png, or not drawn again from itself")
 
 
+def judge_panel(folder, program):
+    """A panel is in --help, and docs/viewer.md says the same of it."""
+    viewer = program.with_name("nullscope-viewer")
+    run(sys.executable, "-B", folder / "tests/viewer/panel_list.py", viewer)
+    if "Caption" not in [name for name, _, _ in panels(viewer)]:
+        raise AssertionError("the panel is not among the viewer's")
+
+
 def main():
     arguments = sys.argv[1:]
     only_plant = arguments[:1] == ["--plant"]
@@ -320,6 +331,7 @@ def main():
             judge(pictures, folder / "assets/scenes", name)
         judge_hit(pictures, folder / "assets/scenes")
         judge_format(pictures)
+        judge_panel(folder, program)
 
 
 if __name__ == "__main__":
