@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <ranges>
+#include <algorithm>
 
 #include "viewer/panel_rows.h"
 
@@ -20,9 +20,12 @@ void set_open(ViewState& view, const Panel& panel, bool open) {
 bool docked(const ViewState& view) { return is_open(view, kSidePanel); }
 
 bool close_topmost_panel(ViewState& view) {
-    for (const Panel* panel : panels() | std::views::reverse)
-        if (panel->escapes && view.panels.erase(panel->name) > 0) return true;
-    return false;
+    const auto list = panels();
+    const auto last = std::find_if(list.rbegin(), list.rend(),
+                                   [&](const Panel* panel) { return panel->escapes && is_open(view, *panel); });
+    if (last == list.rend()) return false;
+    set_open(view, **last, false);
+    return true;
 }
 
 void close_for_tour(ViewState& view) {
