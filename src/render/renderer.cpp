@@ -8,6 +8,7 @@
 
 #include "scene/bodies.h"
 #include "scene/projection.h"
+#include "shaderlib/flat_frame.h"
 #include "shaderlib/passes.h"
 #include "table/star_lens.h"
 
@@ -32,7 +33,11 @@ constexpr std::pair<const char*, int> kPassSamplers[] = {{"source_texture", kSou
 
 std::vector<std::string> Renderer::take_notes() { return std::exchange(notes_, {}); }
 
-Renderer::Renderer() : info_(gl::info()), inputs_(info_), empty_(gl::make_vertex_array()) {}
+Renderer::Renderer()
+    : info_(gl::info()),
+      inputs_(info_),
+      empty_(gl::make_vertex_array()),
+      flat_frame_(info_.renderer.starts_with("llvmpipe")) {}
 
 Status Renderer::prepare(const Scene& scene) {
     const int limit = std::min(info_.max_texture_size, info_.max_renderbuffer_size);
@@ -56,12 +61,19 @@ Renderer::ProgramKey Renderer::program_key(Stage stage, Output output) const {
                               : ProgramKey(stage, output, EffectSet{}, Method{}, std::string(), BodyText{});
 }
 
+ShaderSource Renderer::source_of(Stage stage, Output output) const {
+    ShaderSource source =
+        shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
+    // Interpolated tiles have inputs enough of their own.
+    const bool flat = flat_frame_ && draws_picture(stage) && stage != Stage::kInterpolated;
+    return flat ? with_flat_frame(source, kMostFlatInputs) : source;
+}
+
 const gl::Program& Renderer::program(Stage stage, Output output) {
     const ProgramKey key = program_key(stage, output);
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
-    const ShaderSource source =
-        shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
+    const ShaderSource source = source_of(stage, output);
     gl::Program made = coming_ && coming_->first == key ? std::move(std::exchange(coming_, {})->second)
                                                         : gl::begin_program(source.vertex, source.fragment);
     gl::finish_program(made, source.vertex, source.fragment);
@@ -75,8 +87,7 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
 bool Renderer::is_compiled(Stage stage, Output output) {
     const ProgramKey key = program_key(stage, output);
     if (!coming_ || coming_->first != key) {
-        const ShaderSource source =
-            shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
+        const ShaderSource source = source_of(stage, output);
         coming_.emplace(key, gl::begin_program(source.vertex, source.fragment));
     }
     return gl::is_compiled(coming_->second);

@@ -62,6 +62,10 @@ public:
     // driver compiles beside other work it returns at once, to be called again.
     bool build_next();
 
+    // Whether the vertex shader hands on the frame's numbers (shaderlib/flat_frame.h): the same picture. As made: where the driver is llvmpipe,
+    // whose frames cost less by it. Before the first picture.
+    void flatten_frame(bool wanted) { flat_frame_ = wanted; }
+
     // Whether pixels on edges get more rays, where the scene calls for it; the programs are the same.
     void refine(bool wanted) { refining_ = wanted; }
 
@@ -127,6 +131,7 @@ public:
 private:
     using ProgramKey = std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>;
     ProgramKey program_key(Stage stage, Output output) const;
+    ShaderSource source_of(Stage stage, Output output) const;
     const gl::Program& program(Stage stage, Output output);
     bool is_compiled(Stage stage, Output output);  // begins it if it was not
     std::vector<Pass> passes_with(Tiles most, Output output) const;
@@ -151,6 +156,7 @@ private:
     FrameInputs inputs_;
     std::vector<std::string> notes_;
     gl::VertexArray empty_;
+    bool flat_frame_;
     UniformBlocks blocks_;
     std::map<ProgramKey, gl::Program> programs_;
     std::optional<std::pair<ProgramKey, gl::Program>> coming_;  // begun by build_next()

@@ -2,6 +2,7 @@
 #include <glad/gl.h>
 
 #include "scene/bodies.h"
+#include "scenefile/scene_file.h"
 #include "shadercore/frame_data.h"
 #include "shaderlib/shader_source.h"
 #include "support/gpu_session.h"
@@ -114,6 +115,27 @@ TEST_CASE("uniform block: without an effect its members are gone and the others 
             for (const int member : block_members(effects)) expected[static_cast<std::size_t>(member)] = 16 * next++;
             CHECK(driver_offsets(scene, effects, members) == expected);
         }
+    });
+}
+
+TEST_CASE("uniform block: handed on by the vertex shader it makes the same picture, bit by bit") {
+    on_one_context([&](GpuSession&) {
+        for (const char* name : {"sky-only", "first-light", "earth", "kerr"})
+            for (const Tiles tiles : {Tiles::kNone, Tiles::kTraced}) {
+                CAPTURE(name);
+                Scene scene = *load_scene(name);
+                scene.picture.refine = tiles == Tiles::kNone;  // its pixels are drawn as points
+                scene.camera.width = 163, scene.camera.height = 91;
+                Image<float> pictures[2];
+                for (const bool flat : {false, true}) {
+                    Renderer renderer;
+                    renderer.flatten_frame(flat);
+                    renderer.limit_tiles(tiles);
+                    REQUIRE(renderer.prepare(scene));
+                    pictures[flat] = renderer.picture();
+                }
+                CHECK(pictures[0].data == pictures[1].data);
+            }
     });
 }
 

@@ -14,6 +14,7 @@
 #include "plan/medium_model.h"
 #include "scene/bodies.h"
 #include "shaderlib/embedded.h"
+#include "shaderlib/flat_frame.h"
 #include "shaderlib/preprocess.h"
 #include "shaderlib/shader_source.h"
 #include "support/costly.h"
@@ -313,6 +314,26 @@ TEST_CASE("shader source: linear output has no display encoding") {
     const EffectSet set = {Effect::kSky};
     CHECK(shader_source(Stage::kPicture, set, Output::kLinear).fragment.find("display_encode") == std::string::npos);
     CHECK(shader_source(Stage::kPicture, set, Output::kDisplay).fragment.find("display_encode") != std::string::npos);
+}
+
+TEST_CASE("shader source: the vertex shader hands on what the fragment shader reads of the frame, most read first") {
+    const std::string block =
+        "struct FrameData {\n    vec4 a;\n    vec4 ab;\n};\n"
+        "layout(std140) uniform FrameBlock { FrameData frame; };\n";
+    const ShaderSource source{std::string(shader_head(Glsl::k330)) + "void main() { gl_Position = vec4(0.0); }\n",
+                              std::string(shader_head(Glsl::k330)) + "// shared/frame.glsl\n" + block +
+                                  "float f = frame.a.x + frame.ab.y * frame.ab.z + my_frame.a;\n"};
+    CHECK(frame_members_read(source.fragment) == std::vector<std::string>{"ab", "a"});
+    const ShaderSource one = with_flat_frame(source, 1), both = with_flat_frame(source, 24);
+    CHECK(one.fragment.find("frame.a.x + flat_ab.y * flat_ab.z + my_frame.a") != std::string::npos);
+    CHECK(both.fragment.find("flat_a.x + flat_ab.y * flat_ab.z + my_frame.a") != std::string::npos);
+    CHECK(one.fragment.find("flat in highp vec4 flat_a;") == std::string::npos);
+    CHECK(one.vertex.find(block) != std::string::npos);
+    CHECK(both.vertex.find("void main() { flat_ab = frame.ab; flat_a = frame.a; gl_Position") != std::string::npos);
+    const ShaderSource without{source.vertex, "void main() {}\n"};
+    CHECK(with_flat_frame(without, 24).vertex == without.vertex);
+    const ShaderSource none = with_flat_frame(source, 0);
+    CHECK(none.fragment == source.fragment);
 }
 
 TEST_CASE("shader source: for browsers everything is exact: GLSL ES takes samplers as lowp unless they are asked for") {
