@@ -50,6 +50,8 @@ MUTANTS = [Mutant(*row) for row in [
      "float sine = tangent * factor - strip.x", "float sine = tangent * factor + strip.x", HARD),
     ("root", "a missing square root: |n x e|", "shaders/planar/trace.glsl",
      "trace.s = sqrt(dot(trace.side, trace.side));", "trace.s = dot(trace.side, trace.side);", HARD),
+    ("flat-frame", "a number of the frame that is not handed on as it is", "src/shaderlib/flat_frame.cpp",
+     "flat_{0} = frame.{0};", "flat_{0} = 1.001 * frame.{0};", ("gpu_tests", "uniform block*")),
     ("half-angle", "the half-angle formula that cancels", "shaders/core/strip.glsl",
      "float over = cosine > 0.0 ? a : b;\n    float under = cosine > 0.0 ? b : max(a, 1.0e-30);",
      "float over = a;\n    float under = max((1.0 + cosine) * factor, 1.0e-30);", HARD),
