@@ -22,6 +22,18 @@ struct Edge {
     int outside;         // to the right or upwards: +1
 };
 
+// How far from the middle of a line of pixels, to the right or upwards, the furthest on the wrong side of it is, px; step: from one to the
+// next, px; outside: where rays come out, as Edge's.
+inline double furthest_wrong_px(const RayFrame& frame, double step, int outside) {
+    double worst = 0;
+    for (int i = 0; i < kColumns; ++i) {
+        const double from = (i - kColumns / 2) * step * outside;
+        const RayPixel& pixel = frame.width == 1 ? frame.at(0, kColumns - 1 - i) : frame.at(i, 0);
+        if ((pixel.fate == Fate::kEscaped) != (from > 0)) worst = std::max(worst, std::abs(from));
+    }
+    return worst;
+}
+
 // A line of pixels across the edge, +-2 kEdge_px wide; how far from its middle the furthest pixel with the wrong fate is, px.
 inline double edge_off_px(GpuSession& session, Scene scene, const Edge& edge, double shift_px) {
     scene.sky.kind = SkyKind::kBlack;
@@ -44,13 +56,7 @@ inline double edge_off_px(GpuSession& session, Scene scene, const Edge& edge, do
     const double step = 4 * kEdge_px / kColumns;
     camera.plane_width = step * kPixel_rad * camera.width;
     const RayFrame frame = gl_ray_data(session, scene);
-    double worst = 0;
-    for (int i = 0; i < kColumns; ++i) {
-        const double from = (i - kColumns / 2) * step * edge.outside;
-        const RayPixel& pixel = edge.vertical ? frame.at(0, kColumns - 1 - i) : frame.at(i, 0);
-        if ((pixel.fate == Fate::kEscaped) != (from > 0)) worst = std::max(worst, std::abs(from));
-    }
-    return worst;
+    return furthest_wrong_px(frame, step, edge.outside);
 }
 
 }  // namespace nullscope::test

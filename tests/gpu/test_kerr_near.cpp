@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "observer/spin_forms.h"
+#include "against_reference.h"
 #include "spacetime/registry.h"
-#include "support/gpu_session.h"
 
 namespace {
 
@@ -20,23 +19,26 @@ struct NearView {
     double yaw = 180, theta = 80;  // degrees
 };
 
-Scene near_scene(const NearView& view) {
-    Scene scene;
-    scene.spacetime = {"kerr", {{"spin", view.spin}}};
-    if (view.charge > 0) scene.spacetime = {"kerr-newman", {{"spin", view.spin}, {"charge", view.charge}}};
-    CameraSpec& camera = scene.camera;
-    camera.observer = ObserverKind::kZamo;
-    camera.r = view.horizons * *(*make_spacetime(scene.spacetime.metric, scene.spacetime.parameters))->horizon_radius();
-    camera.theta = view.theta * M_PI / 180, camera.yaw = view.yaw * M_PI / 180, camera.velocity = view.velocity;
-    camera.plane_width = 2, camera.width = kNearWidth, camera.height = kNearHeight;
-    scene.sky.kind = SkyKind::kGrid;
-    return scene;
+Draft near_scene(const NearView& view) {
+    Draft draft;
+    if (view.charge > 0)
+        draft.metric("kerr-newman", {{"spin", view.spin}, {"charge", view.charge}});
+    else
+        draft.metric("kerr", {{"spin", view.spin}});
+    const auto& [metric, parameters] = draft.scene.spacetime;
+    const double r = view.horizons * *(*make_spacetime(metric, parameters))->horizon_radius();
+    return draft.place(r, view.theta * M_PI / 180)
+        .yaw(view.yaw * M_PI / 180)
+        .by(ObserverKind::kZamo)
+        .moving(view.velocity)
+        .plane(2)
+        .size(kNearWidth, kNearHeight)
+        .sky(SkyKind::kGrid);
 }
 
-// Errors are looked for from this on, px of this frame.
-RayMeasures near_measures(GpuSession& session, const Scene& scene) {
-    constexpr double kRefine_px = 0.1 * kNearRays_px * kNearWidth / 3840;
-    return measure_rays(gl_ray_data(session, scene), scene.camera, reference_trace(scene), 1, kRefine_px);
+Promise near_promise(double sky_px, double place_px = kNotHeld) {  // px of 4K; errors are looked for from a tenth on
+    return {
+        .sky = sky_px, .place = place_px, .of_width = 3840, .refine_above_px = 0.1 * kNearRays_px * kNearWidth / 3840};
 }
 
 TEST_CASE("kerr near: fast and slow cameras next to the horizon are the reference's to 0.02 px of 4K" *
@@ -60,23 +62,16 @@ TEST_CASE("kerr near: fast and slow cameras next to the horizon are the referenc
                               {0.6, 0.79, 1.05, {0, 0, 0.95}, 120},
                               {0.9, 0, 1.01, {-0.99, 0, 0}},
                               {0.9995, 0, 1.02, {0, 0, 0.99}, 90, 90}};
+    Promise promise = near_promise(kNearRays_px);
+    promise.least_skies = 1;
+    AgainstReference judge("kerr near", promise);
     on_one_context([&](GpuSession& session) {
         for (const NearView& view : views) {
-            const Scene scene = near_scene(view);
-            const RayMeasures m = near_measures(session, scene);
+            judge.frame(session,
+                        fmt::format("a = {:<6} Q = {:<4} r = {:<6} r_+ v = ({}, {}, {}) yaw {}", view.spin, view.charge,
+                                    view.horizons, view.velocity.x, view.velocity.y, view.velocity.z, view.yaw),
+                        near_scene(view));
             CHECK(session.renderer->tables().effects().contains(Effect::kSpinNear));
-            constexpr double kFiner4K = 3840.0 / kNearWidth;
-            fmt::print(
-                "a = {:<6} Q = {:<4} r = {:<6} r_+ v = ({}, {}, {}) yaw {:<3}: sky {:.4f}, {:.4f}, {:.5f} px of 4K; "
-                "fate "
-                "errors {}, skies {}\n",
-                view.spin, view.charge, view.horizons, view.velocity.x, view.velocity.y, view.velocity.z, view.yaw,
-                m.sky_px.max * kFiner4K, m.sky_px.p999 * kFiner4K, m.sky_px.median * kFiner4K, m.fate_errors,
-                m.sky_px.count);
-            CHECK(m.sky_px.count > 0);
-            CHECK(m.sky_px.max * kFiner4K <= kNearRays_px);
-            CHECK(m.fate_errors == 0);
-            CHECK(m.not_finite == 0);
         }
     });
 }
@@ -84,28 +79,17 @@ TEST_CASE("kerr near: fast and slow cameras next to the horizon are the referenc
 TEST_CASE("kerr near: the disc that such a camera sees, falling cameras, and where the effect begins" *
           test::costly()) {
     on_one_context([&](GpuSession& session) {
-        constexpr double kFiner4K = 3840.0 / kNearWidth, kPlace_px = 0.1;  // 56 without the effect
-        Scene disc = near_scene({0.9995, 0, 1.02, {0, 0, 0.99}, 90});
-        disc.disc.emplace(), disc.disc->inner = 0.53, disc.disc->outer = 15;
-        const RayMeasures places = near_measures(session, disc);
-        fmt::print("disc: {:.4f}, {:.4f} px of 4K of {}\n", places.place_px.max * kFiner4K,
-                   places.place_px.p999 * kFiner4K, places.place_px.count);
-        CHECK(places.place_px.count > 500);
-        CHECK(places.place_px.max * kFiner4K <= kPlace_px);
-        CHECK(places.fate_errors == 0);
-        Scene rain = near_scene({0.9995, 0, 1.02});
-        rain.camera.observer = ObserverKind::kRain;
-        const RayMeasures skies = near_measures(session, rain);
-        CHECK(session.renderer->tables().effects().contains(Effect::kSpinFall));
-        CHECK(session.renderer->tables().effects().contains(Effect::kSpinNear));
-        fmt::print("rain: {:.4f} px of 4K\n", skies.sky_px.max * kFiner4K);
-        CHECK(skies.sky_px.max * kFiner4K <= kNearRays_px);
+        const auto on = [&](Effect effect) { return session.renderer->tables().effects().contains(effect); };
+        Promise places = near_promise(kNotHeld, 0.1);  // 56 without the effect
+        places.least_hits = 501;
+        AgainstReference of_disc("kerr near", places), of_sky("kerr near", near_promise(kNearRays_px));
+        of_disc.frame(session, "disc", near_scene({0.9995, 0, 1.02, {0, 0, 0.99}, 90}).disc(0.53, 15));
+        of_sky.frame(session, "rain", near_scene({0.9995, 0, 1.02}).by(ObserverKind::kRain));
+        CHECK((on(Effect::kSpinFall) && on(Effect::kSpinNear)));
         for (const double horizons : {2.49, 2.51}) {  // 1 - r_+/r = 0.6 lies between them
-            const Scene scene = near_scene({0.9995, 0, horizons, {0, 0, 0.99}, 0});
-            const RayMeasures m = near_measures(session, scene);
-            CHECK(session.renderer->tables().effects().contains(Effect::kSpinNear) == (horizons < 2.5));
-            fmt::print("r = {} r_+: {:.4f} px of 4K\n", horizons, m.sky_px.max * kFiner4K);
-            CHECK(m.sky_px.max * kFiner4K <= kNearRays_px);
+            of_sky.frame(session, fmt::format("r = {} r_+", horizons),
+                         near_scene({0.9995, 0, horizons, {0, 0, 0.99}, 0}));
+            CHECK(on(Effect::kSpinNear) == (horizons < 2.5));
         }
     });
 }
@@ -113,8 +97,7 @@ TEST_CASE("kerr near: the disc that such a camera sees, falling cameras, and whe
 // With pixels small beside the critical curve `spin-ring` is on as well: in a wide view it has no peak from the host, and leaves rays alone.
 TEST_CASE("kerr near: a wide view with pixels so small that it is next to the critical curve") {
     on_one_context([&](GpuSession& session) {
-        Scene scene = near_scene({0.9, 0, 1.2, {0, 0, 0.9}, 0});
-        scene.camera.width = 192, scene.camera.height = 108;
+        const Scene scene = near_scene({0.9, 0, 1.2, {0, 0, 0.9}, 0}).size(192, 108);
         const RayFrame drawn = gl_ray_data(session, scene);
         const EffectSet& effects = session.renderer->tables().effects();
         CHECK((effects.contains(Effect::kSpinNear) && effects.contains(Effect::kSpinRing)));

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/gpu_session.h"
+#include "shadow_edge.h"
+#include "support/draft.h"
 
 namespace {
 
@@ -11,10 +12,9 @@ using namespace nullscope;
 using namespace nullscope::test;
 
 // A 4K frame over 60 degrees, the smaller of the two usual ones.
-constexpr double kPixel_rad = 60.0 / 3840 * M_PI / 180;
-constexpr double kTolerance_px = 0.01;  // the promise of the project for edges
-constexpr int kColumns = 401;           // across 0.04 px: steps of 1e-4 px, below a float's rounding
-constexpr double kShadowWidth_px = 4 * kTolerance_px;
+constexpr double kShadowPixel_rad = 60.0 / 3840 * M_PI / 180;
+constexpr double kTolerance_px = 0.01;                 // the promise of the project for edges
+constexpr double kShadowWidth_px = 4 * kTolerance_px;  // steps of 1e-4 px, below a float's rounding
 
 double shadow_half_angle(double rho) {
     const double sine = std::sqrt(27.0 / 4 * (rho - 1)) / std::pow(rho, 1.5);
@@ -24,27 +24,9 @@ double shadow_half_angle(double rho) {
 
 // A strip across the expected edge, seen by a camera turned to it.
 Scene strip_at(double rho, double angle, bool horizontal) {
-    Scene scene;
-    scene.sky.kind = SkyKind::kBlack;
-    scene.camera.r = rho;
-    (horizontal ? scene.camera.yaw : scene.camera.pitch) = angle;
-    scene.camera.width = horizontal ? kColumns : 1;
-    scene.camera.height = horizontal ? 1 : kColumns;
-    scene.camera.plane_width = kShadowWidth_px * kPixel_rad * (horizontal ? 1.0 : 1.0 / kColumns);
-    return scene;
-}
-
-// Largest distance from the expected edge, px, of a pixel on the wrong side of it.
-double worst_px(const RayFrame& frame, bool horizontal) {
-    double worst = 0;
-    for (int i = 0; i < kColumns; ++i) {
-        // Outwards to the right; upwards with pitch.
-        const double from_edge = (i - kColumns / 2) * kShadowWidth_px / kColumns;
-        const RayPixel& pixel = horizontal ? frame.at(i, 0) : frame.at(0, kColumns - 1 - i);
-        const bool outside = pixel.fate == Fate::kEscaped;
-        if (outside != (from_edge > 0)) worst = std::max(worst, std::abs(from_edge));
-    }
-    return worst;
+    Draft draft = Draft().sky(SkyKind::kBlack).r(rho).size(horizontal ? kColumns : 1, horizontal ? 1 : kColumns);
+    (horizontal ? draft.scene.camera.yaw : draft.scene.camera.pitch) = angle;
+    return draft.plane(kShadowWidth_px * kShadowPixel_rad * (horizontal ? 1.0 : 1.0 / kColumns));
 }
 
 TEST_CASE("shadow: half-angle of a static camera to 0.01 px of a 4K frame") {
@@ -55,11 +37,9 @@ TEST_CASE("shadow: half-angle of a static camera to 0.01 px of a 4K frame") {
             double worst = 0;
             for (const bool horizontal : {true, false})
                 for (const int side : {1, -1}) {
-                    const RayFrame frame = gl_ray_data(session, strip_at(rho, side * angle, horizontal));
                     // On the other side of the hole the edge is crossed the other way round.
-                    RayFrame ordered = frame;
-                    if (side < 0) std::reverse(ordered.pixels.begin(), ordered.pixels.end());
-                    worst = std::max(worst, worst_px(ordered, horizontal));
+                    const RayFrame frame = gl_ray_data(session, strip_at(rho, side * angle, horizontal));
+                    worst = std::max(worst, furthest_wrong_px(frame, kShadowWidth_px / kColumns, side));
                 }
             fmt::print("{:<7} rho {:<6} half-angle {:.9f} rad, edge off by {:.5f} px at most\n",
                        session.context->kind(), rho, angle, worst);
