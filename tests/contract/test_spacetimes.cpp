@@ -51,16 +51,16 @@ std::vector<Case> cases() {
     return all;
 }
 
-struct SphericalCase {
-    std::string label;
-    std::shared_ptr<const SphericalMetric> spacetime;
-};
-
-std::vector<SphericalCase> spherical_cases() {
-    std::vector<SphericalCase> all;
-    for (const Case& one : cases())
-        if (auto metric = test::spherical(one.spacetime)) all.push_back({one.label, metric});
-    return all;
+void each_metric(const auto& check) {
+    for (const Case& one : cases()) {
+        CAPTURE(one.label);
+        check(one.spacetime);
+    }
+}
+void each_spherical_metric(const auto& check) {
+    each_metric([&](const auto& spacetime) {
+        if (const auto metric = test::spherical(spacetime)) check(metric);
+    });
 }
 
 // Radii from just outside the horizon (or from 0.01) to 10^6.
@@ -143,10 +143,7 @@ TEST_CASE("registry: keys are unique, each makes the metric of its name") {
 }
 
 TEST_CASE("metric: signature (-,+,+,+) outside the horizon, and the inverse is the inverse") {
-    for (const auto& one : cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
+    each_metric([&](const auto& s) {
         for (const double r : radii(*s)) {
             for (const double theta : {0.1, 1.0, kPi / 2, 3.0}) {
                 const Matrix4 g = s->metric(r, theta), inverse = s->inverse_metric(r, theta);
@@ -175,42 +172,33 @@ TEST_CASE("metric: signature (-,+,+,+) outside the horizon, and the inverse is t
                 CHECK(planar->root_v(r) == doctest::Approx(std::sqrt(s->lapse_squared(r)) / across).epsilon(kRounding));
             }
         }
-    }
+    });
 }
 
 TEST_CASE("flat limit: A goes to 1 at infinity, and stays there where light is not bent") {
-    for (const auto& one : cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
+    each_metric([&](const auto& s) {
         CHECK(s->lapse_squared(INFINITY) == 1.0);
         for (double zeta = 1e-12; zeta < 1e-2; zeta *= 10.0) {
             CHECK(std::fabs(s->lapse_squared(1.0 / zeta) - 1.0) <= 2.0 * zeta);
         }
-        if (s->bends_light()) continue;
+        if (s->bends_light()) return;
         CHECK_FALSE(s->photon_sphere());
         for (double zeta = 1e-3; zeta < 1e3; zeta *= 10.0) CHECK(s->lapse_squared(1.0 / zeta) == 1.0);
-    }
+    });
 }
 
 TEST_CASE("horizon: A vanishes there and is positive outside") {
-    for (const auto& one : cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
+    each_metric([&](const auto& s) {
         if (const std::optional<double> horizon = s->horizon_radius()) {
             CHECK(std::fabs(s->lapse_squared(*horizon)) < kRounding);
         }
         for (const double r : radii(*s)) CHECK(s->lapse_squared(r) > 0.0);
-    }
+    });
 }
 
 TEST_CASE("half_v_slope and half_v_curvature are the derivatives of V/2") {
-    for (const auto& one : spherical_cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
-        if (s->orbit_equation() == nullptr) continue;
+    each_spherical_metric([&](const auto& s) {
+        if (s->orbit_equation() == nullptr) return;
         for (double zeta = 0.01; zeta < 3.0; zeta += 0.01) {
             const double first = slope([&](double z) { return 0.5 * potential(*s, z); }, zeta);
             const double second = slope([&](double z) { return s->orbit_equation()->half_v_slope(z); }, zeta);
@@ -221,16 +209,13 @@ TEST_CASE("half_v_slope and half_v_curvature are the derivatives of V/2") {
         }
         CHECK(s->orbit_equation()->half_v_slope(0.0) == 0.0);
         CHECK(s->orbit_equation()->half_v_slope(1e-300) == doctest::Approx(1e-300).epsilon(kRounding));
-    }
+    });
 }
 
 TEST_CASE("photon sphere: the maximum of V outside the horizon, with V = q_crit^2") {
-    for (const auto& one : spherical_cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
+    each_spherical_metric([&](const auto& s) {
         const std::optional<PhotonSphere> sphere = s->photon_sphere();
-        if (!sphere) continue;
+        if (!sphere) return;
         if (s->orbit_equation() != nullptr) {
             CHECK(std::fabs(s->orbit_equation()->half_v_slope(1.0 / sphere->radius)) < kRounding);
             CHECK(s->orbit_equation()->half_v_curvature(1.0 / sphere->radius) < 0.0);
@@ -238,16 +223,13 @@ TEST_CASE("photon sphere: the maximum of V outside the horizon, with V = q_crit^
         CHECK(s->root_v(sphere->radius) == doctest::Approx(sphere->q_crit).epsilon(kRounding));
         for (const double r : radii(*s)) CHECK(s->root_v(r) <= sphere->q_crit * (1.0 + kRounding));
         CHECK(sphere->radius > s->horizon_radius().value_or(-1.0));
-    }
+    });
 }
 
 TEST_CASE("chi: V = q_crit^2 sin^2 chi, both ways, to the last digits near infinity, photon sphere and horizon") {
-    for (const auto& one : spherical_cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
+    each_spherical_metric([&](const auto& s) {
         const std::optional<PhotonSphere> sphere = s->photon_sphere();
-        if (!sphere || s->orbit_equation() == nullptr) continue;  // wormholes: the test below
+        if (!sphere || s->orbit_equation() == nullptr) return;  // wormholes: the test below
         const double last = s->horizon_radius() ? 1.0 / *s->horizon_radius() : (1.0 / sphere->radius);
         std::vector<double> zetas;
         for (double zeta = 1e-300; zeta < 1e-3; zeta *= 1e3) zetas.push_back(zeta);
@@ -278,15 +260,12 @@ TEST_CASE("chi: V = q_crit^2 sin^2 chi, both ways, to the last digits near infin
             CHECK(std::fabs(chi_from_zeta(*s, zeta_from_chi(*s, chi)) - chi) <
                   kRounding / s->chi()->bending_density(chi));
         }
-    }
+    });
 }
 
 TEST_CASE("chi on both sides of a throat: V = q_crit^2 sin^2 chi, both ways, grows inward, mirrored") {
-    for (const auto& one : spherical_cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
-        if (s->inner_end() != InnerEnd::kOtherSky) continue;
+    each_spherical_metric([&](const auto& s) {
+        if (s->inner_end() != InnerEnd::kOtherSky) return;
         const double q_crit = s->photon_sphere()->q_crit, mouth = 0.5 * s->tube_beyond(-1e300) / q_crit;
         CHECK(s->tube_beyond(1e300) == 0.0);
         CHECK(s->tube_beyond(0.0) * 2 == s->tube_beyond(-1e300));
@@ -312,35 +291,28 @@ TEST_CASE("chi on both sides of a throat: V = q_crit^2 sin^2 chi, both ways, gro
             CHECK(std::fabs(s->chi()->bending_density(s->chi()->chi_from_radius(l)) * rate * q_crit / v + 1.0) <
                   1e-6 * (1.0 + std::fabs(l)));
         }
-    }
+    });
 }
 
 TEST_CASE("h: d zeta = q_crit h d chi, 1 at infinity") {
-    for (const auto& one : spherical_cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
+    each_spherical_metric([&](const auto& s) {
         const std::optional<PhotonSphere> sphere = s->photon_sphere();
-        if (!sphere || s->orbit_equation() == nullptr) continue;
+        if (!sphere || s->orbit_equation() == nullptr) return;
         for (double chi = 0.01; chi < kPi - 0.01; chi += 0.01) {
             const double rate = slope([&](double c) { return zeta_from_chi(*s, c); }, chi);
             CHECK(std::fabs(s->chi()->bending_density(chi) - rate / sphere->q_crit) < kDifference);
         }
         CHECK(s->chi()->bending_density(0.0) == doctest::Approx(1.0).epsilon(kRounding));
-    }
+    });
 }
 
 TEST_CASE("weak field: light that passes far away is bent by 2 r_s/b") {
-    for (const auto& one : spherical_cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
+    each_spherical_metric([&](const auto& s) {
         const std::optional<PhotonSphere> sphere = s->photon_sphere();
-        if (!sphere || s->inner_end() == InnerEnd::kOtherSky)
-            continue;  // no mass at all, or none that falls off as 1/r
+        if (!sphere || s->inner_end() == InnerEnd::kOtherSky) return;  // no mass at all, or none that falls off as 1/r
         const double bending = swept_angle(*s, kWeakFieldQ / sphere->q_crit) - kPi;
         CHECK(std::fabs(bending / (2.0 * kWeakFieldQ) - 1.0) < kWeakFieldNext * kWeakFieldQ);
-    }
+    });
 }
 
 TEST_CASE("schwarzschild: horizon, photon sphere, closest approach and known deflections") {
@@ -441,13 +413,10 @@ TEST_CASE(
     "barrier: V about what divides is its polynomial, grows inward without bound, and has no slope there if there is a "
     "photon sphere") {
     int walls = 0;
-    for (const auto& one : spherical_cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
+    each_spherical_metric([&](const auto& s) {
         const auto barrier = s->barrier();
         CHECK(barrier.has_value() == (s->inner_end() == InnerEnd::kSameSky));
-        if (!barrier) continue;
+        if (!barrier) return;
         ++walls;
         for (double zeta = 1e-3; zeta < 1e3; zeta *= 1.1) {
             const double x = zeta - barrier->zeta,
@@ -464,28 +433,22 @@ TEST_CASE(
         if (!photons) CHECK(std::fabs(barrier->c[1]) < 1.0);
         CHECK_FALSE(s->horizon_radius());
         CHECK_FALSE(s->can_have_disc());
-    }
+    });
     CHECK(walls == 6);  // charge 3 from the registry's range, and five of the list
 }
 
 TEST_CASE("chi is there where there is a photon sphere, and nowhere else; every metric is of one kind") {
-    for (const auto& one : cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
+    each_metric([&](const auto& s) {
         CHECK((s->spherical() == nullptr) != (s->axial() == nullptr));
         if (s->spherical() != nullptr) CHECK((s->spherical()->chi() != nullptr) == s->photon_sphere().has_value());
-    }
+    });
 }
 
 TEST_CASE("equator: slopes and curvatures are derivatives, its products those of the metric") {
-    for (const auto& one : cases()) {
-        const std::string& label = one.label;
-        const auto& s = one.spacetime;
-        CAPTURE(label);
+    each_metric([&](const auto& s) {
         const double from = std::max(s->camera_range().low, 0.3);
         CHECK(s->equator(from + 1.0).has_value() == (s->orbit_equation() != nullptr || s->axial() != nullptr));
-        if (!s->equator(from + 1.0)) continue;
+        if (!s->equator(from + 1.0)) return;
         for (double r = 1.01 * from; r < 100.0; r *= 1.1) {
             const Equator e = *s->equator(r);
             const Matrix4 g = s->metric(r, kPi / 2);
@@ -503,5 +466,5 @@ TEST_CASE("equator: slopes and curvatures are derivatives, its products those of
                       kDifference * size);
             }
         }
-    }
+    });
 }

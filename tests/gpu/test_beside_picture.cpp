@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "command/capture_layers.h"
 #include "reference/frame_tracer.h"
 #include "render/picture_layers.h"
-#include "scene/bodies.h"
 #include "scenefile/scene_file.h"
+#include "support/draft.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -24,75 +23,52 @@ constexpr double kBallsImage = 1e-3;   // light of a small ball, whose lensed im
 constexpr double kSamePlace = 1e-4;    // of places, and of r_s: another program's rounding
 
 struct BesideCase {
-    const char* name;
-    std::function<void(Scene&)> set;
+    std::string_view name;
+    Scene scene;
 };
 
-void glow(Material& material) { material.colour = {1, 1, 1}; }
-
-std::function<void(Scene&)> moving_ball(BallMotion motion, const char* metric) {
-    return [=](Scene& s) {
-        BallSpec& ball = add<BallSpec>(s);
-        ball.position = {8, 0, 0}, ball.radius = 1, ball.motion = motion;
-        ball.x = "8 * cos(t / 3)", ball.y = "8 * sin(t / 3)", ball.z = "sin(t)";
-        s.spacetime.metric = metric;
-    };
+Draft beside(const char* metric = "schwarzschild", MetricParameters parameters = {}) {
+    return Draft().metric(metric, std::move(parameters)).place(30, M_PI / 3).size(80, 45).sky(SkyKind::kBlack);
 }
+BallSpec moving(BallMotion motion) { return {{8, 0, 0}, 1, motion, {}, "8 * cos(t / 3)", "8 * sin(t / 3)", "sin(t)"}; }
 
 // Bodies alone before a black sky.
 std::vector<BesideCase> bodies() {
-    return {{"ball on an orbit", moving_ball(BallMotion::kOrbit, "schwarzschild")},
-            {"ball on a path, flat", moving_ball(BallMotion::kPath, "minkowski")},
-            {"ball on an orbit, rotating hole", moving_ball(BallMotion::kOrbit, "kerr")},
-            {"ball on a path, charged hole",
-             [](Scene& s) {
-                 moving_ball(BallMotion::kPath, "reissner-nordstrom")(s);
-                 s.spacetime.parameters = {{"charge", 0.8}};
-             }},
-            {"ball at rest beside a moving one, fisheye",
-             [](Scene& s) {
-                 moving_ball(BallMotion::kOrbit, "schwarzschild")(s);
-                 add<BallSpec>(s).position = {0, 7, 3};
-                 s.camera.projection = Projection::kFisheye;
-             }},
-            {"sphere that pulsates",
-             [](Scene& s) {
-                 SphereSpec& sphere = add<SphereSpec>(s);
-                 sphere.radius = 4, sphere.amplitude = 0.3, sphere.period = 12;
-             }},
-            {"surface with t in it", [](Scene& s) {
-                 SurfaceSpec& surface = add<SurfaceSpec>(s);
-                 surface.shape = "length(x, y, z) - 4 - 0.6 * sin(0.5 * t + 3 * atan(y, x))", surface.bound = 6;
-             }}};
+    using enum BallMotion;
+    Draft fisheye = beside().body(moving(kOrbit)).body(BallSpec{{0, 7, 3}});
+    fisheye.scene.camera.projection = Projection::kFisheye;
+    return {{"ball on an orbit", beside().body(moving(kOrbit))},
+            {"ball on a path, flat", beside("minkowski").body(moving(kPath))},
+            {"ball on an orbit, rotating hole", beside("kerr").body(moving(kOrbit))},
+            {"ball on a path, charged hole", beside("reissner-nordstrom", {{"charge", 0.8}}).body(moving(kPath))},
+            {"ball at rest beside a moving one, fisheye", fisheye},
+            {"sphere that pulsates", beside().body(SphereSpec{4, 0.3, 12})},
+            {"surface with t in it", beside().surface("length(x, y, z) - 4 - 0.6 * sin(0.5 * t + 3 * atan(y, x))", 6)}};
 }
 
 // And what is not opaque, or glows.
 std::vector<BesideCase> others() {
-    const auto disc = [](Scene& s) -> DiscSpec& {
-        s.disc.emplace().flow = DiscFlowKind::kKepler;
-        s.disc->material.texture = TextureKind::kGas;
-        return *s.disc;
+    const auto disc = [](const char* metric, double opacity) {
+        Draft draft = beside(metric);
+        draft.scene.disc.emplace().flow = DiscFlowKind::kKepler;
+        draft.scene.disc->material.texture = TextureKind::kGas, draft.scene.disc->opacity = opacity;
+        return draft;
     };
-    const auto clump = [](Scene& s) {
-        MediumSpec& medium = s.medium.emplace();
+    const auto clump = [](Draft draft) {
+        MediumSpec& medium = draft.scene.medium.emplace();
         medium.kind = MediumKind::kFormula, medium.emission = MediumEmission::kBlackBody, medium.outer = 12;
         medium.formulas.density = "exp(-((x - 6 * cos(t / 3))^2 + (y - 6 * sin(t / 3))^2 + z^2))";
+        return draft;
     };
-    return {{"disc of gas that flows", [=](Scene& s) { disc(s).opacity = 0.5; }},
-            {"spot on a disc about a rotating hole",
-             [=](Scene& s) {
-                 disc(s).emission = DiscEmission::kThermal;
-                 s.spots.emplace_back(), s.spacetime.metric = "kerr";
-             }},
-            {"matter that moves", clump},
-            {"matter that moves, with a moving ball, flat",
-             [=](Scene& s) { moving_ball(BallMotion::kPath, "minkowski")(s), clump(s); }},
-            {"matter that moves and a disc, rotating hole",
-             [=](Scene& s) { disc(s).opacity = 0.7, clump(s), s.spacetime.metric = "kerr"; }},
-            {"gas about a hole, with a ball", [](Scene& s) {
-                 moving_ball(BallMotion::kOrbit, "schwarzschild")(s);
-                 s.medium.emplace().gas.flow = DiscFlowKind::kKepler;
-             }}};
+    Draft spot = disc("kerr", 1), gas = beside().body(moving(BallMotion::kOrbit));
+    spot.scene.disc->emission = DiscEmission::kThermal, spot.scene.spots.emplace_back();
+    gas.scene.medium.emplace().gas.flow = DiscFlowKind::kKepler;
+    return {{"disc of gas that flows", disc("schwarzschild", 0.5)},
+            {"spot on a disc about a rotating hole", spot},
+            {"matter that moves", clump(beside())},
+            {"matter that moves, with a moving ball, flat", clump(beside("minkowski").body(moving(BallMotion::kPath)))},
+            {"matter that moves and a disc, rotating hole", clump(disc("kerr", 0.7))},
+            {"gas about a hole, with a ball", gas}};
 }
 
 struct BesideSwitch {
@@ -119,12 +95,9 @@ constexpr BesideSwitch kSwitches[] = {
     {"late and later", [](Scene& s) { s.time = 123.4; }}};
 
 Scene scene_of(const BesideCase& c, const BesideSwitch& switched) {
-    Scene scene;
-    scene.camera.r = 30, scene.camera.theta = M_PI / 3;
-    scene.camera.width = 80, scene.camera.height = 45;
-    scene.sky.kind = SkyKind::kBlack;
-    c.set(scene), switched.set(scene);
-    for (Body& body : scene.bodies) glow(body.material);
+    Scene scene = c.scene;
+    switched.set(scene);
+    for (Body& body : scene.bodies) body.material.colour = {1, 1, 1};
     return scene;
 }
 
@@ -217,7 +190,7 @@ TEST_CASE("beside the picture: ray data and layers are of it, and change nothing
                     if ((scene.medium || scene.spacetime.metric == "kerr") &&
                         !(light.lensing && light.doppler && light.gravity))
                         continue;  // refused
-                    CAPTURE(c.name);
+                    CAPTURE(std::string(c.name));
                     CAPTURE(switched.name);
                     check_beside(session, scene, alone);
                 }
@@ -288,26 +261,17 @@ TEST_CASE("beside the picture: matter that is seen at once is, whatever moves be
     on_one_context([](GpuSession& session) {
         for (const char* metric : {"minkowski", "schwarzschild", "kerr"}) {
             CAPTURE(metric);
-            BesideCase clump{"", nullptr};
-            for (const BesideCase& c : others())
-                if (c.name == std::string_view("matter that moves")) clump = c;
-            Scene alone = scene_of(clump, kSwitches[1]);
+            const std::vector<BesideCase> all = others();
+            const auto clump = std::ranges::find(all, "matter that moves", &BesideCase::name);
+            Scene alone = scene_of(*clump, kSwitches[1]);
             alone.spacetime.metric = metric, alone.time = 4.0, alone.picture.refine = false;
             Scene beside = alone;
-            add<BallSpec>(beside, BallSpec{.position = {0, 100, 0}, .radius = 0.01}).motion = BallMotion::kOrbit;
-            if (metric == std::string_view("minkowski")) {
-                BallSpec& ball = *first_shape<BallSpec>(beside);
+            BallSpec& ball = add(beside, BallSpec{{0, 100, 0}, 0.01, BallMotion::kOrbit});
+            if (metric == std::string_view("minkowski"))
                 ball.motion = BallMotion::kPath, ball.x = "0", ball.y = "100 + sin(t)", ball.z = "0";
-            }
-            const auto drawn = [&](const Scene& scene) {
-                const Status ready = session.renderer->prepare(scene);
-                const std::string reason = ready ? "" : ready.error().message();
-                REQUIRE_MESSAGE(ready, reason);
-                return session.renderer->picture();
-            };
-            const Image<float> picture = drawn(alone);
+            const Image<float> picture = picture_of(session, alone);
             CHECK(*std::ranges::max_element(picture.data) > 0.01f);
-            CHECK(beside_off(drawn(beside), picture) < kBallsImage);
+            CHECK(beside_off(picture_of(session, beside), picture) < kBallsImage);
         }
     });
 }

@@ -4,6 +4,7 @@
 
 #include "base/assets.h"
 #include "reference/reference.h"
+#include "support/draft.h"
 #include "support/gpu_session.h"
 
 using namespace nullscope;
@@ -19,19 +20,12 @@ Body plain(BodyShape shape) {
 }
 
 Scene lit(const std::string& metric) {
-    Scene scene;
-    scene.spacetime.metric = metric;
-    if (metric == "kerr") scene.spacetime.parameters = {{"spin", 0.7}}, scene.camera.observer = ObserverKind::kZamo;
-    scene.camera.r = 20, scene.camera.theta = 1.3;
-    scene.camera.width = 96, scene.camera.height = 54;
-    scene.camera.plane_width = 1.0;
-    scene.sky.kind = SkyKind::kBlack;
+    test::Draft draft;
+    draft.metric(metric).place(20, 1.3).size(96, 54).plane(1.0).sky(SkyKind::kBlack);
+    if (metric == "kerr") draft.spin(0.7).by(ObserverKind::kZamo);
+    Scene scene = draft;
     scene.picture.refine = false;
-    BallSpec ball;
-    ball.position = {-4, 4, 1}, ball.radius = 2;
-    CylinderSpec cylinder;
-    cylinder.inner = 5, cylinder.outer = 7, cylinder.height = 0.5;
-    scene.bodies = {plain(ball), plain(cylinder)};
+    scene.bodies = {plain(BallSpec{{-4, 4, 1}, 2}), plain(CylinderSpec{5, 7, 0.5})};
     return scene;
 }
 
@@ -46,8 +40,7 @@ TEST_CASE("body sun: the light of bodies lit by a far sun is the reference's" * 
         const auto exact = reference::render_frame(scene, *sky, {}, 1);
         REQUIRE(exact);
         test::on_every_context([&](test::GpuSession& session) {
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> picture = session.renderer->picture();
+            const Image<float> picture = test::picture_of(session, scene);
             int lit_pixels = 0, off = 0, dark = 0;
             for (std::size_t i = 0; i < picture.data.size(); i += 3) {
                 if (exact->data[i] <= 0) continue;

@@ -50,8 +50,7 @@ void measure(GpuSession& session, Scene scene, std::mt19937& random, Worst& wors
     scene.camera.plane_width = 1e-3;
     std::uniform_real_distribution<double> angle(-0.5, 0.5), time(0, 300);
     scene.camera.yaw = angle(random), scene.camera.pitch = 0.5 * angle(random), scene.time = time(random);
-    REQUIRE(session.renderer->prepare(scene));
-    const Image<float> picture = session.renderer->picture();
+    const Image<float> picture = picture_of(session, scene);
     const auto tracer = reference::FrameTracer::make(scene);
     REQUIRE(tracer);
     const DiscSpec& disc = *scene.disc;

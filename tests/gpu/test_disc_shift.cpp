@@ -64,12 +64,10 @@ TEST_CASE("disc: g as the GPU draws it is the reference's, whole and with a part
                 CAPTURE(part.gravity);
                 CAPTURE(part.aberration);
                 CAPTURE(part.lensing);
-                REQUIRE(session.renderer->prepare(scene));
-                const Image<float> picture = session.renderer->picture();
+                const Image<float> picture = picture_of(session, scene);
                 Scene unbeamed = scene;
                 unbeamed.light.beaming = false;
-                REQUIRE(session.renderer->prepare(unbeamed));
-                const Image<float> own = session.renderer->picture();
+                const Image<float> own = picture_of(session, unbeamed);
                 const auto tracer = reference::FrameTracer::make(scene);
                 REQUIRE(tracer);
                 const reference::DiscLight light(tracer->matter(), *scene.disc, scene.light);
@@ -127,8 +125,7 @@ TEST_CASE("sky: its light changes as a black body's by g, the same all over it o
             scene.light.doppler = variant != 4, scene.light.gravity = variant != 5,
             scene.light.aberration = variant != 6;
             scene.light.bolometric = variant == 7;
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> plain = session.renderer->picture();
+            const Image<float> plain = picture_of(session, scene);
             scene.sky.temperature_K = 5000.0;
             REQUIRE(session.renderer->prepare(scene));
             CHECK(session.renderer->tables().effects().contains(Effect::kSkyShift));

@@ -43,8 +43,7 @@ TEST_CASE("display: tone curves, bloom and automatic exposure are those of the h
                     scene.camera.exposure_ev = -0.7;
                     scene.picture = {tone, bloom, automatic, false};
                     scene.picture.refine = false;  // straight to the display, where nothing else works on the light
-                    REQUIRE(session.renderer->prepare(scene));
-                    const Image<float> linear = session.renderer->picture();
+                    const Image<float> linear = picture_of(session, scene);
                     const int worst = worst_step(session.renderer->picture8(),
                                                  display_encoded(linear, scene.camera.exposure_ev, scene.picture));
                     CAPTURE(static_cast<int>(tone));
@@ -68,8 +67,7 @@ TEST_CASE("display: bloom moves light and keeps its sum; linear output is withou
     CHECK(spread.at(137, 61)[1] > 0.0f);
     on_every_context([&](GpuSession& session) {
         Scene scene = bright_scene();
-        REQUIRE(session.renderer->prepare(scene));
-        const Image<float> before = session.renderer->picture();
+        const Image<float> before = picture_of(session, scene);
         scene.picture = {ToneCurve::kFilm, 0.5, true, true};
         REQUIRE(session.renderer->prepare(scene));
         CHECK(session.renderer->picture().data == before.data);

@@ -32,8 +32,7 @@ TEST_CASE("far star: both images are as bright as the reference has them, from 1
                 CAPTURE(r);
                 CAPTURE(u);
                 const Scene scene = far_star_scene(r, u, kLight);
-                REQUIRE(session.renderer->prepare(scene));
-                const Image<float> picture = session.renderer->picture();
+                const Image<float> picture = picture_of(session, scene);
                 const auto tracer = reference::FrameTracer::make(scene);
                 REQUIRE(tracer);
                 const PointStar star = (*point_stars(scene.sky, {}))[0];

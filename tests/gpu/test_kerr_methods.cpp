@@ -2,7 +2,7 @@
 // what a scene cannot have is refused.
 #include <algorithm>
 
-#include "scene/bodies.h"
+#include "support/draft.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -14,14 +14,9 @@ constexpr int kCap = 64;                             // SPIN_MOST_STEPS
 constexpr double kKerrMethodsRefineAbove_px = 1e-5;  // below every error here
 
 Scene view(double r, double theta, double yaw) {
-    Scene scene;
-    scene.spacetime = {"kerr", {{"spin", 0.9}}};
-    scene.sky.kind = SkyKind::kBlack;
-    scene.camera.observer = ObserverKind::kZamo;
-    scene.camera.r = r, scene.camera.theta = theta, scene.camera.yaw = yaw, scene.camera.pitch = 0.1;
-    scene.camera.plane_width = 2.0;
-    scene.camera.width = 96, scene.camera.height = 54;
-    return scene;
+    Draft draft = Draft().metric("kerr", {{"spin", 0.9}}).sky(SkyKind::kBlack).by(ObserverKind::kZamo);
+    draft.scene.camera.pitch = 0.1;
+    return draft.place(r, theta).yaw(yaw).plane(2.0).size(96, 54);
 }
 
 Scene far_view() { return view(8, 1.4, 0); }

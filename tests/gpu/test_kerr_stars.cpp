@@ -223,8 +223,7 @@ TEST_CASE(
             CAPTURE(std::string(all[v].name));
             Scene scene = all[v].scene;
             const Both& both = both_of_view(v);
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> picture = session.renderer->picture();
+            const Image<float> picture = picture_of(session, scene);
             const double middle_x = 0.5 * picture.width, middle_y = 0.5 * picture.height;
             std::vector<Spot> spots;
             for (std::size_t i = 0; i < both.stars.size(); ++i)

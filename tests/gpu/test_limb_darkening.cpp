@@ -121,11 +121,9 @@ void measure(GpuSession& session, const DrawnLaw& law, const LimbDarkeningView& 
     // And what 1e-5 of the cosine makes of it at a slant: three times as much at most, and of g.
     constexpr double kSameLight = kFit + 5e-5;
     Scene scene = scene_of(view);
-    REQUIRE(session.renderer->prepare(scene));
-    const Image<float> picture = session.renderer->picture();
+    const Image<float> picture = picture_of(session, scene);
     scene.disc->effects.limb_darkening = false;
-    REQUIRE(session.renderer->prepare(scene));
-    const Image<float> plain = session.renderer->picture();
+    const Image<float> plain = picture_of(session, scene);
     const auto tracer = reference::FrameTracer::make(scene);
     REQUIRE(tracer);
     const reference::DiscLight light(tracer->matter(), *scene.disc, scene.light);
@@ -219,8 +217,7 @@ TEST_CASE("limb darkening: all light of a far ring is the printed table's at eac
             scene.disc->inner = 90, scene.disc->outer = 110, scene.disc->brightness = 1e4;
             scene.disc->effects.limb_darkening = darkened;
             scene.light.doppler = scene.light.gravity = scene.light.lensing = false;
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> picture = session.renderer->picture();
+            const Image<float> picture = picture_of(session, scene);
             double sum = 0;
             for (int y = 0; y < 256; ++y)
                 for (int x = 0; x < 256; ++x) sum += picture.at(x, y)[1];

@@ -29,18 +29,6 @@ struct WithinCase {
 };
 constexpr WithinCase kMetrics[] = {{"schwarzschild", 0}, {"minkowski", 0}, {"kerr", 0.9}};
 
-Difference checked(GpuSession& session, const char* name, const Scene& scene, double flux, double pixel) {
-    CAPTURE(name);
-    CAPTURE(scene.spacetime.metric);
-    CAPTURE(scene.medium->step);
-    const Difference off = difference(drawn(session, scene), reference_picture(scene), pixel);
-    CHECK(std::abs(off.flux) < flux);
-    CHECK(off.largest < pixel);
-    fmt::print("medium within, {}, {}: {}\n", name, scene.spacetime.metric,
-               fmt::format("step {}: flux {:+.1e}, pixels {:.1e}", scene.medium->step, off.flux, off.largest));
-    return off;
-}
-
 }  // namespace
 
 TEST_CASE("medium within: uniform emission between the camera and the edge of a sphere") {
@@ -54,7 +42,7 @@ TEST_CASE("medium within: uniform emission between the camera and the edge of a 
             medium.emissivity = 1e-16;
             const double each = 1e-16 * 100 * schwarzschild_radius_m(*scene.object.mass_suns) / medium_light_cgs(230);
             scene.camera.plane_width = 1.2;
-            const Image<float> picture = drawn(session, scene);
+            const Image<float> picture = picture_of(session, scene);
             double worst = 0;
             for (int y = 0; y < picture.height; ++y)
                 for (int x = 0; x < picture.width; ++x) {
@@ -65,7 +53,7 @@ TEST_CASE("medium within: uniform emission between the camera and the edge of a 
                     worst = std::max(worst, std::abs(picture.at(x, y)[0] / (each * length) - 1));
                 }
             CHECK(worst < kClosed);
-            fmt::print("medium within, {}\n", fmt::format("uniform sphere from r = {}: {:.1e}", r, worst));
+            fmt::print("medium within, uniform sphere from r = {}: {:.1e}\n", r, worst);
         }
     });
 }
@@ -79,12 +67,12 @@ TEST_CASE("medium within: a soft disc is the reference's" * test::costly()) {
         for (const WithinCase& one : kMetrics)
             for (const auto& [r, theta] : {std::pair{8.2637, 80.2284}, {4.0, 80.0}, {12.5, 85.0}, {10.0, 89.0}}) {
                 if (!selection.takes_next()) continue;
-                CAPTURE(r);
+                const std::string what = fmt::format("medium within, soft disc, {} from {}", one.metric, r);
                 Scene scene = within_scene(one.metric, one.spin, r, theta * M_PI / 180);
                 scene.medium->gas.clumps.contrast = 0;
-                checked(session, "soft disc", scene, kFlux, kPixel);
+                held(session, what, scene, {kFlux, kPixel});
                 scene.medium->step = 0.5;
-                checked(session, "soft disc", scene, kFineFlux, kFinePixel);
+                held(session, what + ", half the step", scene, {kFineFlux, kFinePixel});
             }
     });
 }
@@ -118,7 +106,8 @@ TEST_CASE("medium within: every other kind is the reference's" * test::costly())
                                               {"black body", &warm},
                                               {"grid", &grid}}) {
                 const bool fits = scene != &grid || one.metric[0] != 's';  // its hole turns
-                if (fits && selection.takes_next()) checked(session, name, *scene, kFlux, kPixel);
+                if (fits && selection.takes_next())
+                    held(session, fmt::format("medium within, {}, {}", name, one.metric), *scene, {kFlux, kPixel});
             }
         }
     });
@@ -131,11 +120,11 @@ TEST_CASE("medium within: pixels with more rays end within what a software drive
         scene.camera.width = 24, scene.camera.height = 14;
         scene.medium->kind = MediumKind::kFlow;
         scene.picture.refine = true;
-        const double usual = sum_of(drawn(session, scene));
+        const double usual = sum_of(picture_of(session, scene));
         CHECK(session.renderer->refined_share() > 0.01);
         scene.medium->step = 0.1;
-        const double fine = sum_of(drawn(session, scene));
+        const double fine = sum_of(picture_of(session, scene));
         CHECK(std::abs(fine / usual - 1) < kFlux);
-        fmt::print("medium within, {}\n", fmt::format("more rays, by a tenth of the step: {:+.1e}", fine / usual - 1));
+        fmt::print("medium within, more rays, by a tenth of the step: {:+.1e}\n", fine / usual - 1);
     });
 }

@@ -61,8 +61,7 @@ TEST_CASE("point stars: the light of 200 images is the reference's by the Jacobi
             scene.light.aberration = view % 8 != 3;  // of those that move, some without a part
             scene.light.doppler = view % 8 != 5;
             scene.light.gravity = view % 8 != 7;
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> picture = session.renderer->picture();
+            const Image<float> picture = picture_of(session, scene);
             const auto tracer = reference::FrameTracer::make(scene);
             REQUIRE(tracer);
             const auto stars = point_stars(scene.sky, assets_directory());
@@ -154,8 +153,7 @@ TEST_CASE("point stars: no blinking in 60 frames of a slow pan") {
         for (int frame = 0; frame < 60; ++frame) {
             scene.camera.yaw = 0.037 * kPointStarsDegree * frame;  // a fifth of a pixel
             scene.camera.pitch = 0.011 * kPointStarsDegree * frame;
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> picture = session.renderer->picture();
+            const Image<float> picture = picture_of(session, scene);
             const auto tracer = reference::FrameTracer::make(scene);
             const reference::StarImages images(*tracer, scene, 1);
             std::vector<double> light(stars->size(), std::nan(""));

@@ -61,8 +61,7 @@ TEST_CASE("ring view: every pixel of a picture is a number, however deep" * test
             scene.camera.width = 1280, scene.camera.height = 720;
             scene.picture.bloom = 0;
             CAPTURE(depth);
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> picture = session.renderer->picture();
+            const Image<float> picture = picture_of(session, scene);
             const std::size_t count = static_cast<std::size_t>(picture.width) * picture.height * picture.channels;
             CHECK(std::all_of(picture.at(0, 0), picture.at(0, 0) + count, [](float v) { return std::isfinite(v); }));
         }

@@ -28,13 +28,11 @@ Scene passing_ball(Vec3 velocity) {
     camera.r = 6.0, camera.theta = M_PI / 2, camera.velocity = velocity;
     camera.width = camera.height = kSize;
     camera.plane_width = 2 * std::tan(45 * M_PI / 180);
-    add<BallSpec>(scene);
-    first_shape<BallSpec>(scene)->position = {0, 2, 0.5};
-    first_shape<BallSpec>(scene)->radius = 1.5;
+    const double radius = add(scene, BallSpec{{0, 2, 0.5}, 1.5}).radius;
     // The cone of the outline at rest, three of its directions as the camera sees them, and the axis of the cone through those.
     const Vec3 to_ball = Vec3{0, 2, 0.5} - Vec3{6, 0, 0};  // world axes; at phi = 0: e_r = x, e_theta = -z, e_phi = y
     const Vec3 axis = normalized(Vec3{to_ball.x, -to_ball.z, to_ball.y});
-    const double sine = first_shape<BallSpec>(scene)->radius / length(to_ball), cosine = std::sqrt(1 - sine * sine);
+    const double sine = radius / length(to_ball), cosine = std::sqrt(1 - sine * sine);
     const Vec3 u = normalized(cross(axis, {0, 0, 1})), w = cross(axis, u);
     Vec3 rim[3];
     for (int i = 0; i < 3; ++i) {

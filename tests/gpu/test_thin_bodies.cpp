@@ -1,10 +1,9 @@
 // Bodies thinner than a pixel keep their light: it is how much of a pixel they cover that counts, not how thick they are along the ray.
 #include <cmath>
-#include <functional>
 #include <vector>
 
-#include "scene/bodies.h"
 #include "sky/sky.h"
+#include "support/draft.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -16,39 +15,16 @@ constexpr int kThinBodiesSamples = 3;  // a side and pixel, of the reference
 // Of the light: edges are softened half a pixel outward where a body has corners, and to both sides where it is round.
 constexpr double kTotal = 0.06;
 
-struct ThinBodiesCase {
-    const char* name;
-    std::function<void(Scene&)> set;
-};
-
-void kerr(Scene& s) { s.spacetime = {"kerr", {{"spin", 0.9}}}; }
-void thin_bodies_flat(Scene& s) { s.spacetime.metric = "minkowski"; }
-void ring(Scene& s, double height) {
-    add<CylinderSpec>(s).inner = 4, first_shape<CylinderSpec>(s)->outer = 8,
-    first_shape<CylinderSpec>(s)->height = height;
+Draft thin_about(const char* metric) {
+    return Draft()
+        .metric(metric, metric == std::string("kerr") ? MetricParameters{{"spin", 0.9}} : MetricParameters{})
+        .sky(SkyKind::kBlack)
+        .place(30, 1.3)
+        .size(48, 27)
+        .plane(0.6);
 }
-void ball(Scene& s, double radius) {
-    add<BallSpec>(s).position = {6, 1, 0.5}, first_shape<BallSpec>(s)->radius = radius;
-}
-
-const std::vector<ThinBodiesCase>& thin_bodies_cases() {
-    static const std::vector<ThinBodiesCase> all = {
-        {"thin ring, flat", [](Scene& s) { thin_bodies_flat(s), ring(s, 0.05); }},
-        {"thin ring", [](Scene& s) { ring(s, 0.05); }},
-        {"thin ring, rotating hole", [](Scene& s) { kerr(s), ring(s, 0.05); }},
-        {"thick ring, flat", [](Scene& s) { thin_bodies_flat(s), ring(s, 1.5); }},
-        {"thick ring, rotating hole", [](Scene& s) { kerr(s), ring(s, 1.5); }},
-        {"ball of six pixels, flat", [](Scene& s) { thin_bodies_flat(s), ball(s, 1.5); }},
-        {"ball of six pixels", [](Scene& s) { ball(s, 1.5); }},
-        {"ball of six pixels, rotating hole", [](Scene& s) { kerr(s), ball(s, 1.5); }},
-        {"torus of four pixels, flat",
-         [](Scene& s) {
-             thin_bodies_flat(s), add<SurfaceSpec>(s).shape = "(length(x, y) - 6)^2 + z^2 - 1",
-                                  first_shape<SurfaceSpec>(s)->bound = 8;
-         }},
-    };
-    return all;
-}
+Draft ring_about(const char* metric, double height) { return thin_about(metric).cylinder(4, 8, height); }
+Draft ball_about(const char* metric) { return thin_about(metric).ball({6, 1, 0.5}, 1.5); }
 
 double light(const Image<float>& picture) {
     double sum = 0;
@@ -58,19 +34,24 @@ double light(const Image<float>& picture) {
 }
 
 TEST_CASE("thin bodies: as much light as the reference's" * test::costly()) {
+    const std::pair<std::string, Scene> cases[] = {
+        {"thin ring, flat", ring_about("minkowski", 0.05)},
+        {"thin ring", ring_about("schwarzschild", 0.05)},
+        {"thin ring, rotating hole", ring_about("kerr", 0.05)},
+        {"thick ring, flat", ring_about("minkowski", 1.5)},
+        {"thick ring, rotating hole", ring_about("kerr", 1.5)},
+        {"ball of six pixels, flat", ball_about("minkowski")},
+        {"ball of six pixels", ball_about("schwarzschild")},
+        {"ball of six pixels, rotating hole", ball_about("kerr")},
+        {"torus of four pixels, flat", thin_about("minkowski").surface("(length(x, y) - 6)^2 + z^2 - 1", 8)},
+    };
     std::map<std::string, double> exact_light;
     on_every_context([&](GpuSession& session) {
         Selection selection(3);
-        for (const ThinBodiesCase& c : thin_bodies_cases()) {
+        for (const auto& one : cases) {
+            const auto& [name, scene] = one;
             if (!selection.takes_next()) continue;
-            const std::string name = c.name;
-            CAPTURE(name);
-            Scene scene;
-            scene.sky.kind = SkyKind::kBlack;
-            scene.camera.r = 30, scene.camera.theta = 1.3;
-            scene.camera.width = 48, scene.camera.height = 27;
-            scene.camera.plane_width = 0.6 * scene.camera.focal_distance;
-            c.set(scene);
+            CAPTURE(one.first);
             REQUIRE(session.renderer->prepare(scene));
             if (!exact_light.contains(name)) {
                 const auto sky = build_sky(scene.sky, {}, 16);
@@ -80,7 +61,7 @@ TEST_CASE("thin bodies: as much light as the reference's" * test::costly()) {
                 exact_light[name] = light(*exact);
             }
             const double drawn = light(session.renderer->picture()), all = exact_light[name];
-            fmt::print("{:<7} {:<35} light {:.4f} of the reference's {:.1f}\n", session.context->kind(), c.name,
+            fmt::print("{:<7} {:<35} light {:.4f} of the reference's {:.1f}\n", session.context->kind(), name,
                        drawn / all, all);
             CHECK(all > 1);
             CHECK(std::abs(drawn / all - 1) <= kTotal);

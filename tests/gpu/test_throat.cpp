@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "support/draft.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -27,15 +28,11 @@ struct Shot {
 
 double plane_width() { return 2 * std::tan(55 * M_PI / 180); }
 
-Scene looking_across(const std::string& metric, const std::map<std::string, double>& parameters, double l) {
-    Scene scene;
-    scene.name = "throat";
-    scene.spacetime = {metric, parameters};
-    scene.camera.width = 96, scene.camera.height = 54;
-    scene.camera.plane_width = plane_width();
-    scene.camera.r = l;
-    scene.camera.yaw = M_PI / 2;  // the rim in the middle: one sky on each side
-    return scene;
+Scene looking_across(const std::string& metric, const MetricParameters& parameters, double l) {
+    Draft draft;
+    draft.scene.name = "throat";
+    // The rim in the middle: one sky on each side.
+    return draft.metric(metric, parameters).size(96, 54).plane(plane_width()).r(l).yaw(M_PI / 2);
 }
 
 // Largest change of a ray's sky direction over what the way between the two shots may make; infinite for another sky.
@@ -57,7 +54,7 @@ double largest_change(const Shot& a, const Shot& b, int& judged) {
 TEST_CASE("flight through the throat: rays go on changing as the way does, with both skies and no seam at l = 0" *
           test::costly()) {
     const std::vector<double> way = {4e-3, 3e-3, 2e-3, 1e-3, 1e-6, 1e-9, 0.0, -1e-9, -1e-6, -1e-3, -2e-3, -3e-3, -4e-3};
-    const std::vector<std::pair<std::string, std::map<std::string, double>>> holes = {
+    const std::vector<std::pair<std::string, MetricParameters>> holes = {
         {"ellis", {}},
         {"dneg-wormhole", {{"length", 0.0}}},
         {"dneg-wormhole", {}},

@@ -113,20 +113,16 @@ TEST_CASE("warp: a mesh of identity is no mesh, bit by bit; with half the light 
                                 {"torus", Projection::kEquirectangular, 128, 64}}) {
             if (!selection.takes_next()) continue;
             Scene scene = scene_of(one.scene, one.projection, one.width, one.height);
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> plain = session.renderer->picture();
+            const Image<float> plain = picture_of(session, scene);
             scene.camera.warp = folder.path / fmt::format("{}.data", one.scene);
             const double aspect = static_cast<double>(one.width) / one.height;
             write_warp(scene.camera.warp, warp_text(9, 5, aspect, [](WarpNode&) {}));
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> warped = session.renderer->picture();
+            const Image<float> warped = picture_of(session, scene);
             write_warp(scene.camera.warp, warp_text(9, 5, aspect, [](WarpNode& n) { n.light = 0.5; }));
             scene.picture.refine = false;  // it looks at light as it is displayed
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> dimmed = session.renderer->picture();
+            const Image<float> dimmed = picture_of(session, scene);
             scene.camera.warp.clear();
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> rough = session.renderer->picture();
+            const Image<float> rough = picture_of(session, scene);
             long long off = 0;
             float most = 0.0f, brightest = 0.0f, dim = 0.0f;
             for (std::size_t i = 0; i < plain.data.size(); ++i) {
@@ -179,8 +175,7 @@ TEST_CASE("warp: rays are the reference's about every kind of hole, and pictures
         }
         Scene scene = scene_of("kerr", Projection::kFisheye, 150, 101);
         scene.camera.warp = file;
-        REQUIRE(session.renderer->prepare(scene));
-        const Image<float> whole = session.renderer->picture();
+        const Image<float> whole = picture_of(session, scene);
         long long off = 0;
         for (const PictureBand& band : picture_bands(scene.camera, 150 * 40)) {
             const auto rows = draw_band(*session.renderer, scene, band, 64);
@@ -218,11 +213,9 @@ TEST_CASE("warp: point stars are where the mesh has them, and as bright as their
         for (const bool rotating : {false, true}) {
             scene.spacetime = {rotating ? "kerr" : "schwarzschild", {}};
             camera.warp.clear();
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> plain = session.renderer->picture();
+            const Image<float> plain = picture_of(session, scene);
             camera.warp = identity;
-            REQUIRE(session.renderer->prepare(scene));
-            const Image<float> same = session.renderer->picture();
+            const Image<float> same = picture_of(session, scene);
             long long off = 0;
             for (int y = 8; y < camera.height - 8; ++y)  // those beside the picture are not in the mesh
                 for (int x = 8; x < camera.width - 8; ++x) off += plain.at(x, y)[1] != same.at(x, y)[1];
@@ -230,8 +223,7 @@ TEST_CASE("warp: point stars are where the mesh has them, and as bright as their
         }
         scene.spacetime = {"schwarzschild", {}};
         camera.warp = dimmed;
-        REQUIRE(session.renderer->prepare(scene));
-        const Image<float> drawn = session.renderer->picture();
+        const Image<float> drawn = picture_of(session, scene);
         const auto sky = build_sky(scene.sky, assets_directory(), 16);
         const auto stars = point_stars(scene.sky, assets_directory());
         REQUIRE(sky);

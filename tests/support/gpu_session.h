@@ -77,6 +77,11 @@ inline RayFrame gl_ray_data(GpuSession& session, const Scene& scene, int row_ste
     return session.renderer->ray_data(row_step);
 }
 
+inline Image<float> picture_of(GpuSession& session, const Scene& scene) {
+    REQUIRE(session.renderer->prepare(scene));
+    return session.renderer->picture();
+}
+
 // A mark of the bits of all that is known of a frame's rays (FNV-1a).
 inline std::uint64_t mark_of(const RayFrame& frame) {
     std::uint64_t mark = 14695981039346656037ull;

@@ -26,11 +26,6 @@ inline double sum_of(const Image<float>& picture) {
     return sum;
 }
 
-inline Image<float> drawn(GpuSession& session, const Scene& scene) {
-    REQUIRE(session.renderer->prepare(scene));
-    return session.renderer->picture();
-}
-
 inline Image<float> reference_picture(const Scene& scene) {
     static std::map<std::string, Image<float>> known;  // every context asks for the same
     const std::string question = question_of("render_frame", scene);
@@ -66,6 +61,24 @@ inline Difference difference(const Image<float>& a, const Image<float>& referenc
             above += off > part;
         }
     return {sum_of(a) / sum_of(reference) - 1, largest, above};
+}
+
+// What is promised of a picture: its flux and its pixels, all of them or, where `share` says so, but for this part.
+struct PictureBound {
+    double flux, pixel = INFINITY, share = 0;
+};
+// Draws a scene, prints how far it is from the reference's picture (of another scene where there is one), and checks it.
+inline Difference held(GpuSession& session, const std::string& what, const Scene& scene, const PictureBound& most,
+                       const Scene* exact = nullptr) {
+    CAPTURE(what);
+    const Image<float> reference = reference_picture(exact != nullptr ? *exact : scene);
+    const Difference off = difference(picture_of(session, scene), reference, most.pixel);
+    fmt::print("{}: flux {:.3e}, over the reference's {:+.1e}, pixels {:.1e}, {} above {}\n", what, sum_of(reference),
+               off.flux, off.largest, off.above, most.pixel);
+    CHECK(std::abs(off.flux) < most.flux);
+    if (most.share > 0) CHECK(off.above <= most.share * scene.camera.width * scene.camera.height);
+    if (most.share == 0) CHECK((off.largest < most.pixel || std::isinf(most.pixel)));
+    return off;
 }
 
 }  // namespace nullscope::test

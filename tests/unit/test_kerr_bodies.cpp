@@ -34,42 +34,19 @@ constexpr double kAlmostNone = 1e-9;  // spin
 
 struct Kind {
     const char* name;
-    void (*add)(Scene&);
+    BodyShape shape;
     double size;  // of it
 };
 const Kind kKinds[] = {
-    {"sphere", [](Scene& s) { add<SphereSpec>(s); }, 3},
-    {"pulsating sphere",
-     [](Scene& s) {
-         add<SphereSpec>(s), first_shape<SphereSpec>(s)->amplitude = 0.2, first_shape<SphereSpec>(s)->period = 15;
-     },
-     3},
-    {"thick disc", [](Scene& s) { add<CylinderSpec>(s); }, 8},
-    {"still ball",
-     [](Scene& s) {
-         add<BallSpec>(s), first_shape<BallSpec>(s)->position = {-5, 2, 1};
-     },
+    {"sphere", SphereSpec{}, 3},
+    {"pulsating sphere", SphereSpec{.amplitude = 0.2, .period = 15}, 3},
+    {"thick disc", CylinderSpec{}, 8},
+    {"still ball", BallSpec{{-5, 2, 1}}, 2},
+    {"orbiting ball", BallSpec{.position = {3, 5, 0}, .motion = BallMotion::kOrbit}, 2},
+    {"ball on a path", BallSpec{.motion = BallMotion::kPath, .x = "6*sin(0.1*t)", .y = "5 + 0*t", .z = "3*cos(0.1*t)"},
      2},
-    {"orbiting ball",
-     [](Scene& s) {
-         add<BallSpec>(s), first_shape<BallSpec>(s)->position = {3, 5, 0},
-                           first_shape<BallSpec>(s)->motion = BallMotion::kOrbit;
-     },
-     2},
-    {"ball on a path",
-     [](Scene& s) {
-         add<BallSpec>(s), first_shape<BallSpec>(s)->motion = BallMotion::kPath,
-                           first_shape<BallSpec>(s)->x = "6*sin(0.1*t)", first_shape<BallSpec>(s)->y = "5 + 0*t",
-                           first_shape<BallSpec>(s)->z = "3*cos(0.1*t)";
-     },
-     2},
-    {"ring", [](Scene& s) { add<SurfaceSpec>(s); }, 6},
-    {"gyroid",
-     [](Scene& s) {
-         add<SurfaceSpec>(s), first_shape<SurfaceSpec>(s)->kind = SurfaceKind::kGyroid,
-                              first_shape<SurfaceSpec>(s)->size = 3, first_shape<SurfaceSpec>(s)->bound = 8;
-     },
-     3},
+    {"ring", SurfaceSpec{}, 6},
+    {"gyroid", SurfaceSpec{.kind = SurfaceKind::kGyroid, .size = 3, .bound = 8}, 3},
 };
 
 bool reaches_horizon(const Kind& kind) { return std::string(kind.name) == "gyroid"; }
@@ -92,29 +69,23 @@ void seen_by(Scene& scene, const Camera& camera) {
 // Whether one of two cameras inside the horizon can see it: not the sphere that they are in. What reaches the horizon is met there, after
 // windings without end, or is not.
 bool seen_from_inside(const Kind& kind) {
-    Scene scene;
-    kind.add(scene);
-    return !first_shape<SphereSpec>(scene) && !reaches_horizon(kind);
+    return !std::holds_alternative<SphereSpec>(kind.shape) && !reaches_horizon(kind);
 }
 
 // Of the one body of a scene, once more.
 double value_of(const Scene& scene, const reference::Metric& metric, Vec3 x, double t) {
-    if (first_shape<SphereSpec>(scene))
-        return length(x) - first_shape<SphereSpec>(scene)->radius *
-                               (1 + first_shape<SphereSpec>(scene)->amplitude *
-                                        std::sin(2 * M_PI * t / first_shape<SphereSpec>(scene)->period));
-    if (first_shape<BallSpec>(scene))
-        return length(x - reference::ball_way(metric, *first_shape<BallSpec>(scene))(t)) -
-               first_shape<BallSpec>(scene)->radius;
-    if (first_shape<SurfaceSpec>(scene)) {
+    if (const auto* sphere = first_shape<SphereSpec>(scene))
+        return length(x) - sphere->radius * (1 + sphere->amplitude * std::sin(2 * M_PI * t / sphere->period));
+    if (const auto* ball = first_shape<BallSpec>(scene))
+        return length(x - reference::ball_way(metric, *ball)(t)) - ball->radius;
+    if (const auto* surface = first_shape<SurfaceSpec>(scene)) {
         const double place[] = {x.x, x.y, x.z, t};
-        return std::max(
-            expr::Formula::parse(surface_shape(*first_shape<SurfaceSpec>(scene)), {"x", "y", "z", "t"})->value(place),
-            length(x) - first_shape<SurfaceSpec>(scene)->bound);
+        return std::max(expr::Formula::parse(surface_shape(*surface), {"x", "y", "z", "t"})->value(place),
+                        length(x) - surface->bound);
     }
+    const auto& [inner, outer, height] = *first_shape<CylinderSpec>(scene);
     const double rho = std::hypot(x.x, x.y);
-    return std::max({rho - first_shape<CylinderSpec>(scene)->outer, first_shape<CylinderSpec>(scene)->inner - rho,
-                     std::fabs(x.z) - first_shape<CylinderSpec>(scene)->height});
+    return std::max({rho - outer, inner - rho, std::fabs(x.z) - height});
 }
 
 }  // namespace
@@ -131,7 +102,7 @@ TEST_CASE("kerr bodies: with almost no spin they are where the planar reference 
             CAPTURE(std::string(camera.name));
             Scene slow = spinning(kAlmostNone);
             slow.time = 7;
-            kind.add(slow);
+            add_body(slow, kind.shape);
             seen_by(slow, camera);
             Scene none = slow;
             none.spacetime = {"schwarzschild", {}};
@@ -183,11 +154,7 @@ TEST_CASE("kerr bodies: what is traced outward and turns back meets the same as 
         scene.camera.observer = ObserverKind::kZamo, scene.camera.r = r, scene.camera.theta = 1.4,
         scene.camera.plane_width = 2, scene.camera.width = 12, scene.camera.height = 9;
         scene.disc = DiscSpec{}, scene.disc->inner = 0.8, scene.disc->outer = 3;
-        add<CylinderSpec>(scene), first_shape<CylinderSpec>(scene)->inner = 0.73,
-                                  first_shape<CylinderSpec>(scene)->outer = 0.95,
-                                  first_shape<CylinderSpec>(scene)->height = 0.3;
-        add<BallSpec>(scene), first_shape<BallSpec>(scene)->position = {-1.4, 0.1, 0.2},
-                              first_shape<BallSpec>(scene)->radius = 0.15;
+        add(scene, CylinderSpec{0.73, 0.95, 0.3}), add(scene, BallSpec{{-1.4, 0.1, 0.2}, 0.15});
         const auto metric = metric_of(scene);
         for (const double yaw : {1.2, 1.9, -1.2, -1.9}) {
             scene.camera.yaw = yaw;
@@ -238,7 +205,7 @@ TEST_CASE("kerr bodies: hits lie on the surface, and a fine march meets nothing 
                 if (camera.r < 1 && reaches_horizon(kind)) continue;
                 CAPTURE(std::string(camera.name));
                 Scene scene = spinning(spin);
-                kind.add(scene);
+                add_body(scene, kind.shape);
                 scene.time = 3, scene.camera.width = 12, scene.camera.height = 9;
                 seen_by(scene, camera);
                 if (camera.r < 1) scene.camera.r = spin < 0.95 ? 0.6 : 0.51;  // between its horizons
@@ -298,9 +265,7 @@ TEST_CASE("kerr bodies: the face of a very thin thick disc is where rays cross t
     int faces = 0, inward = 0;
     for (const double spin : {0.9, 0.998}) {
         Scene scene = spinning(spin);
-        add<CylinderSpec>(scene), first_shape<CylinderSpec>(scene)->inner = 2,
-                                  first_shape<CylinderSpec>(scene)->outer = 9,
-                                  first_shape<CylinderSpec>(scene)->height = kHeight;
+        add(scene, CylinderSpec{2, 9, kHeight});
         const auto metric = metric_of(scene);
         for (int i = 0; i < 120; ++i) {
             const double beta = 0.7 * std::sqrt(even(random)), around = 2 * M_PI * even(random),
@@ -346,8 +311,7 @@ TEST_CASE("kerr bodies: discs before and behind a ball") {
             Scene with = spinning(0.9);
             with.camera.width = 24, with.camera.height = 18;
             with.disc = DiscSpec{}, with.disc->inner = 2, with.disc->outer = 9, with.disc->opacity = opacity;
-            add<BallSpec>(with), first_shape<BallSpec>(with)->position = {x, 0, 0},
-                                 first_shape<BallSpec>(with)->radius = 2.5;
+            add(with, BallSpec{{x, 0, 0}, 2.5});
             Scene disc = with, ball = with;
             disc.disc->opacity = 1;
             remove_bodies<BallSpec>(disc), ball.disc.reset();
@@ -376,7 +340,7 @@ TEST_CASE("kerr bodies: discs before and behind a ball") {
 
 TEST_CASE("kerr bodies: a ray's record ends on the body, with the crossings before it") {
     Scene scene = spinning(0.9);
-    add<BallSpec>(scene), first_shape<BallSpec>(scene)->position = {-4, 0, 0}, first_shape<BallSpec>(scene)->radius = 1;
+    add(scene, BallSpec{{-4, 0, 0}, 1});
     int dropped = 0, kept = 0;
     for (int i = 0; i < 40; ++i) {
         RayQuery query;
@@ -404,13 +368,9 @@ TEST_CASE("kerr bodies: pictures with almost no spin are the planar ones") {
     slow.sky.kind = SkyKind::kChecker;
     slow.disc = DiscSpec{}, slow.disc->opacity = 0.6, slow.disc->outer = 8,
     slow.disc->material.texture = TextureKind::kPlain;
-    add<BallSpec>(slow),
-        first_shape<BallSpec>(slow)->position = {5, 3, 0}, first_shape<BallSpec>(slow)->motion = BallMotion::kOrbit,
-        first_body<BallSpec>(slow)->material.limb = 0.7, first_body<BallSpec>(slow)->material.night = 0.1,
-        first_body<BallSpec>(slow)->material.sun_longitude = 0.6,
-        first_body<BallSpec>(slow)->material.texture = TextureKind::kStripes;
-    add<CylinderSpec>(slow), first_shape<CylinderSpec>(slow)->inner = 9, first_shape<CylinderSpec>(slow)->outer = 11,
-                             first_body<CylinderSpec>(slow)->material.texture = TextureKind::kGrid;
+    Material& ball = add_body(slow, BallSpec{.position = {5, 3, 0}, .motion = BallMotion::kOrbit}).material;
+    ball.limb = 0.7, ball.night = 0.1, ball.sun_longitude = 0.6, ball.texture = TextureKind::kStripes;
+    add_body(slow, CylinderSpec{.inner = 9, .outer = 11}).material.texture = TextureKind::kGrid;
     Scene none = slow;
     none.spacetime = {"schwarzschild", {}};
     const auto a = reference::render_frame(slow, {}, {}, 1), b = reference::render_frame(none, {}, {}, 1);
@@ -425,15 +385,14 @@ TEST_CASE("kerr bodies: pictures with almost no spin are the planar ones") {
 
 TEST_CASE("kerr bodies: ways of a ball that are not followed are refused") {
     Scene scene = spinning(0.9);
-    add<BallSpec>(scene);
-    first_shape<BallSpec>(scene)->motion = BallMotion::kGeodesic;
+    BallSpec& ball = add(scene, BallSpec{.motion = BallMotion::kGeodesic});
     RayQuery query;
     query.r = 10;
     CHECK_FALSE(reference::FrameTracer::make(scene));
     CHECK_FALSE(reference::trace_ray(scene, query));
-    first_shape<BallSpec>(scene)->motion = BallMotion::kOrbit;
+    ball.motion = BallMotion::kOrbit;
     CHECK(reference::FrameTracer::make(scene));
-    first_shape<BallSpec>(scene)->position.z = 1;
+    ball.position.z = 1;
     CHECK_FALSE(reference::FrameTracer::make(scene));
 }
 
@@ -441,7 +400,7 @@ TEST_CASE("kerr bodies: ways of a ball that are not followed are refused") {
 double cost_of_looking(const Kind& kind) {
     const Scene bare = spinning(0.9);
     Scene scene = bare;
-    kind.add(scene);
+    add_body(scene, kind.shape);
     const auto without = reference::FrameTracer::make(bare), with = reference::FrameTracer::make(scene);
     REQUIRE(without);
     REQUIRE(with);
@@ -473,7 +432,6 @@ TEST_CASE("kerr bodies: what looking for them costs") {
         CAPTURE(std::string(kind.name));
         CHECK(cost_of_looking(kind) < kMost);
     }
-    const Kind fine = {"ring in ten times as many steps",
-                       [](Scene& s) { add<SurfaceSpec>(s), first_shape<SurfaceSpec>(s)->steps *= 10; }, 6};
+    const Kind fine = {"ring in ten times as many steps", SurfaceSpec{.steps = 640}, 6};
     CHECK(cost_of_looking(fine) > kMost);  // that the check can fail
 }

@@ -254,8 +254,7 @@ TEST_CASE("kerr lanes: a frame's rays are those asked for one by one, what they 
         scene.camera.r = r, scene.camera.theta = 1.3, scene.camera.width = 13, scene.camera.height = 7;
         scene.camera.plane_width = 3;
         scene.disc = DiscSpec{}, scene.disc->inner = 2, scene.disc->outer = 5, scene.disc->opacity = 0.5;
-        add<BallSpec>(scene), first_shape<BallSpec>(scene)->position = {-3, 0.4, 1.2},
-                              first_shape<BallSpec>(scene)->radius = 0.5;
+        add(scene, BallSpec{{-3, 0.4, 1.2}, 0.5});
         const auto tracer = FrameTracer::make(scene);
         REQUIRE(tracer);
         std::vector<std::array<double, 2>> positions;

@@ -76,10 +76,8 @@ TEST_CASE("kerr bodies: a ray meets a sphere exactly if Carter's potential lets 
     for (const double spin : {0.9, 0.998})
         for (const double radius : {1.0001 * horizon_of(spin), 1.2, 3.0, 8.0}) {
             Scene sphere = spinning(spin), formula = sphere;
-            add<SphereSpec>(sphere), first_shape<SphereSpec>(sphere)->radius = radius;
-            add<SurfaceSpec>(formula),
-                first_shape<SurfaceSpec>(formula)->bound = 1.01 * radius,
-                first_shape<SurfaceSpec>(formula)->shape = fmt::format("length(x, y, z) - {}", radius);
+            add(sphere, SphereSpec{radius});
+            add(formula, SurfaceSpec{.shape = fmt::format("length(x, y, z) - {}", radius), .bound = 1.01 * radius});
             const auto metric = metric_of(sphere);
             for (int i = 0; i < 12; ++i) {
                 const double theta = 0.3 + 2.5 * even(random), around = 2 * M_PI * even(random);
@@ -149,7 +147,7 @@ TEST_CASE("kerr bodies: a sphere that is just touched comes before what stands r
     constexpr double kSpin = 0.9, kRadius = 6,
                      kBehind = 0.15 / (kRadius * kRadius);  // of the tracer's parameter: 0.15 r_s here
     Scene alone = spinning(kSpin);
-    add<SphereSpec>(alone), first_shape<SphereSpec>(alone)->radius = kRadius;
+    add(alone, SphereSpec{kRadius});
     const auto metric = metric_of(alone);
     for (int i = 0; i < 40; ++i) {
         const double around = 0.1 * i, r0 = 10 + 0.2 * i;  // where steps begin differs
@@ -161,10 +159,10 @@ TEST_CASE("kerr bodies: a sphere that is just touched comes before what stands r
         const Met first = met(alone, *metric, touching);
         REQUIRE(first.hit);
         Scene both = alone;
-        add<BallSpec>(both), first_shape<BallSpec>(both)->radius = 0.05;
+        BallSpec& ball = add(both, BallSpec{.radius = 0.05});
         reference::trace_kerr(kSpin, touching, 0, [&](const KerrStep& step) {
             const double along = first.hit->along + kBehind;
-            if (along >= step.from && along <= step.to) first_shape<BallSpec>(both)->position = step.at(along).flat();
+            if (along >= step.from && along <= step.to) ball.position = step.at(along).flat();
         });
         const Met found = met(both, *metric, touching);
         CAPTURE(i);
