@@ -1,8 +1,8 @@
 """The kinds of a scene that tests/cli/test_matrix.py combines: a few values of everything that a scene file chooses, each as the sections
 that it adds. Every thing is seen by every camera, and differs from every sky."""
 import math
-import struct
-import zlib
+
+from image_bytes import png
 
 WORMHOLES = ("ellis", "dneg")
 FORMULAS = ("hayward", "kottler", "formula-abr")
@@ -157,9 +157,7 @@ def write_files(folder, assets):
     (folder / "torus.grid").write_bytes((assets / "medium/torus.grid").read_bytes())
     wave = lambda turns: round(128 + 90 * math.sin(2 * math.pi * turns))
     rows = b"".join(b"\0" + bytes(v for x in range(64) for v in (wave(x / 64), wave(x / 64 + 0.3), 255 - 7 * y)) for y in range(32))
-    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    (folder / "smooth.png").write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 64, 32, 8, 2, 0, 0, 0)) +
-                                        chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+    (folder / "smooth.png").write_bytes(png(64, 32, rows))
     nodes = [(-1 + 2 * s / 8, -1 + 2 * t / 8) for t in range(9) for s in range(9)]
     (folder / "bent.data").write_text("2\n9 9\n" + "".join(
         f"{x * 16 / 9:.6f} {y} {0.5 + 0.5 * x * (1 - 0.1 * y * y):.6f} {0.5 + 0.5 * y * (1 - 0.1 * x * x):.6f} 1\n" for x, y in nodes))

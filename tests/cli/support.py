@@ -9,6 +9,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import zlib
 from pathlib import Path
@@ -18,6 +19,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import depth
 from depth import costly  # noqa: F401  for the tests
 from dice import dice  # noqa: F401  for the tests
+from image_bytes import exr_attributes
 
 BINARY = str(Path(sys.argv.pop(1)).resolve())
 VECTORS = Path(__file__).resolve().parent.parent / "vectors"
@@ -50,25 +52,14 @@ class Ran:
 
 def exr_header(data):
     """Of a single-part EXR: (name, kind) of its channels, the data window's size, and where the table of its blocks begins."""
-    if data[:4] != b"\x76\x2f\x31\x01":
-        raise ValueError("not an EXR")
-    at, channels, size = 8, [], None
-    while data[at] != 0:
-        name_end = data.index(b"\0", at)
-        kind_end = data.index(b"\0", name_end + 1)
-        length = struct.unpack("<i", data[kind_end + 1:kind_end + 5])[0]
-        body = data[kind_end + 5:kind_end + 5 + length]
-        if data[at:name_end] == b"channels":
-            place = 0
-            while body[place] != 0:
-                end = body.index(b"\0", place)
-                channels.append((body[place:end].decode(), struct.unpack("<i", body[end + 1:end + 5])[0]))
-                place = end + 17
-        if data[at:name_end] == b"dataWindow":
-            low_x, low_y, high_x, high_y = struct.unpack("<4i", body)
-            size = (high_x - low_x + 1, high_y - low_y + 1)
-        at = kind_end + 5 + length
-    return channels, size, at + 1
+    attributes, at = exr_attributes(data)
+    body, place, channels = attributes["channels"][1], 0, []
+    while body[place] != 0:
+        end = body.index(b"\0", place)
+        channels.append((body[place:end].decode(), struct.unpack("<i", body[end + 1:end + 5])[0]))
+        place = end + 17
+    low_x, low_y, high_x, high_y = struct.unpack("<4i", attributes["dataWindow"][1])
+    return channels, (high_x - low_x + 1, high_y - low_y + 1), at
 
 
 def read_exr(data):
@@ -130,6 +121,21 @@ class CliTest(unittest.TestCase):
             self.assertIn(word, ran.err)
         self.assertEqual(sorted(p.name for p in self.folder.rglob("*")), files, "files were left behind or lost")
         return ran.err
+
+    def started(self, *arguments, **how):
+        """A run that goes on; killed after the test if it still does. how: as subprocess.Popen has it."""
+        process = subprocess.Popen([BINARY, *map(str, arguments)], cwd=self.folder, stdout=subprocess.DEVNULL, **how)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process
+
+    def wait(self, what, until, process=None, pause_s=0.005):
+        """Until it is so: `what` says what is waited for. Fails where that takes too long, or where this process has ended."""
+        deadline = time.monotonic() + LONGEST_S
+        while not until():
+            self.assertTrue(process is None or process.poll() is None, f"it ended by itself before {what}")
+            self.assertLess(time.monotonic(), deadline, what)
+            time.sleep(pause_s)
 
     def contexts(self):
         """The contexts that work here; at least one."""

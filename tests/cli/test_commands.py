@@ -15,27 +15,20 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import support
+from image_bytes import png, png_chunks
 
 COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench rays", "bench soak", "plan", "scenes", "info", "figure", "path", "lightcurve", "light-time", "profile", "spectrum", "manual"]
 
 
 def png_size(data):
     """Width and height of a PNG whose chunks are whole and whose pixels are all there."""
-    if data[:8] != b"\x89PNG\r\n\x1a\n":
-        raise ValueError("not a PNG")
-    at, pixels, size, ended = 8, b"", None, False
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        body = data[at + 8:at + 8 + length]
-        if zlib.crc32(kind + body) != struct.unpack(">I", data[at + 8 + length:at + 12 + length])[0]:
-            raise ValueError("damaged chunk")
+    pixels = b""
+    for kind, body in png_chunks(data):
         if kind == b"IHDR":
             size = struct.unpack(">II", body[:8])
             channels = {2: 3, 6: 4}[body[9]]
         pixels += body if kind == b"IDAT" else b""
-        ended = kind == b"IEND"
-        at += 12 + length
-    if not ended or len(zlib.decompress(pixels)) != size[1] * (1 + channels * size[0]):
+    if kind != b"IEND" or len(zlib.decompress(pixels)) != size[1] * (1 + channels * size[0]):
         raise ValueError("pixels are missing")
     return size
 
@@ -431,9 +424,7 @@ class Commands(support.CliTest):
         row = b"\x01" + bytes(v for x in range(width) for v in (1 if x == 0 else 0, 0, 0))   # left differences: all alike
         packer = zlib.compressobj(1)
         pixels = b"".join(packer.compress(row) for _ in range(height)) + packer.flush()
-        chunk = lambda kind, body: struct.pack(">I4s", len(body), kind) + body + struct.pack(">I", zlib.crc32(kind + body))
-        head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
-        self.write("large.png", b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", pixels) + chunk(b"IEND", b""))
+        self.write("large.png", png(width, height, None, packed=pixels))
         scene = self.write("large.toml", '[sky]\nkind = "black"\n[sphere]\ntexture = "image"\nimage = "large.png"\n')
         peaks = []
         for most in ["64", "1024"]:

@@ -192,16 +192,9 @@ class Ends(support.CliTest):
     """Ended from outside: at once, by that signal, and what has a name is whole."""
     LONG = ("--frames", "0:100000", "-o", "f-%05d.png")
 
-    def started(self, *arguments, until, before=None):
-        process = subprocess.Popen([support.BINARY, *map(str, arguments)], cwd=self.folder, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL, preexec_fn=before)
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        deadline = time.monotonic() + support.LONGEST_S
-        while not until():
-            self.assertIsNone(process.poll(), "it ended by itself")
-            self.assertLess(time.monotonic(), deadline, "it never came that far")
-            time.sleep(0.005)
+    def started_until(self, *arguments, until, before=None):
+        process = self.started(*arguments, stderr=subprocess.DEVNULL, preexec_fn=before)
+        self.wait("it came that far", until, process)
         return process
 
     def files(self):
@@ -223,14 +216,14 @@ class Ends(support.CliTest):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             for p in self.folder.iterdir():
                 p.unlink()
-            process = self.started("capture", "flat", "--size", "640x360", *self.LONG, until=lambda: len(self.files()) > 3)
+            process = self.started_until("capture", "flat", "--size", "640x360", *self.LONG, until=lambda: len(self.files()) > 3)
             self.end(process, number)
             for name in self.files():
                 self.assertRegex(name, r"^f-\d{5}\.png$")
                 self.assertEqual(png_size((self.folder / name).read_bytes()), (640, 360))
 
     def test_a_sequence_is_killed(self):
-        process = self.started("capture", "flat", "--size", "640x360", *self.LONG, until=lambda: len(self.files()) > 3)
+        process = self.started_until("capture", "flat", "--size", "640x360", *self.LONG, until=lambda: len(self.files()) > 3)
         self.end(process, signal.SIGKILL)
         whole = [name for name in self.files() if not name.startswith(".")]
         self.assertGreater(len(whole), 2)
@@ -239,7 +232,7 @@ class Ends(support.CliTest):
 
     def test_a_killed_sequence_resumes(self):
         frames = ("--frames", "0:200", "-o", "f-%05d.png")
-        process = self.started("capture", "flat", "--size", "320x180", *frames, until=lambda: len(self.files()) > 3)
+        process = self.started_until("capture", "flat", "--size", "320x180", *frames, until=lambda: len(self.files()) > 3)
         process.kill()
         process.wait(timeout=support.LONGEST_S)
         before = {name: (self.folder / name).stat().st_mtime_ns for name in self.files() if not name.startswith(".")}
@@ -257,7 +250,7 @@ class Ends(support.CliTest):
                         ("bench", "accuracy", "--json", "b.json"),
                         ("capture", "first-light", "--method", "table:1024", "-o", "c.png")):
             begun = time.monotonic()
-            process = self.started(*command, until=lambda: time.monotonic() - begun > 0.3)
+            process = self.started_until(*command, until=lambda: time.monotonic() - begun > 0.3)
             self.end(process, signal.SIGINT)
             self.assertEqual(self.files(), [])
 
@@ -267,15 +260,11 @@ class Ends(support.CliTest):
             signal.signal(signal.SIGINT, signal.SIG_IGN)
             signal.signal(signal.SIGHUP, signal.SIG_IGN)
 
-        process = self.started("capture", "flat", *SMALL, *self.LONG, until=lambda: len(self.files()) > 3, before=ignore)
+        process = self.started_until("capture", "flat", *SMALL, *self.LONG, until=lambda: len(self.files()) > 3, before=ignore)
         for number in (signal.SIGINT, signal.SIGHUP):
             seen = len(self.files())
             process.send_signal(number)
-            deadline = time.monotonic() + support.LONGEST_S
-            while len(self.files()) < seen + 10:
-                self.assertIsNone(process.poll(), f"signal {number} ended it")
-                self.assertLess(time.monotonic(), deadline, "it stopped drawing")
-                time.sleep(0.005)
+            self.wait(f"more pictures after signal {number}", lambda: len(self.files()) >= seen + 10, process)
         self.end(process, signal.SIGTERM)
 
 

@@ -121,9 +121,7 @@ class Workers(FarmTest):
     def stopped(self, line):
         """A worker that stands still after its first pictures."""
         worker = self.begin(line)
-        deadline = time.monotonic() + support.LONGEST_S
-        while not self.pictures() and time.monotonic() < deadline:
-            time.sleep(0.001)
+        self.wait("a picture", self.pictures, pause_s=0.001)
         worker.send_signal(signal.SIGSTOP)
         os.waitpid(worker.pid, os.WUNTRACED)
         return worker

@@ -11,7 +11,6 @@ import resource
 import shutil
 import signal
 import subprocess
-import time
 import unittest
 
 import support
@@ -63,14 +62,8 @@ class FilmTest(support.CliTest):
 
     def begun(self, *words, folder="."):
         """A run that has drawn some pictures and goes on; its process."""
-        process = subprocess.Popen([support.BINARY, "capture", "scene.toml", *words], cwd=self.folder, env=self.environment,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.addCleanup(process.kill)
-        deadline = time.monotonic() + support.LONGEST_S
-        while len(self.pictures(folder)) < 3:
-            self.assertIsNone(process.poll(), "it ended before it was killed")
-            self.assertLess(time.monotonic(), deadline)
-            time.sleep(0.001)
+        process = self.started("capture", "scene.toml", *words, env=self.environment, stderr=subprocess.DEVNULL)
+        self.wait("three pictures", lambda: len(self.pictures(folder)) >= 3, process, pause_s=0.001)
         return process
 
     def killed(self, *words, folder="."):

@@ -8,21 +8,12 @@ import sys
 from pathlib import Path
 
 import support
+from test_pictures import jpeg_frame
 
 ROOT = Path(support.__file__).resolve().parents[2]
 SCRIPT = ROOT / "scripts/gallery.py"
 MOST_BYTES = 2_000_000
 AGAIN = "run scripts/gallery.py"
-
-
-def jpeg_size(data):
-    """Width and height of a baseline JPEG; nothing for any other bytes."""
-    at = 2
-    while data[:2] == b"\xff\xd8" and data[at] == 0xff:
-        if data[at + 1] == 0xc0:
-            return int.from_bytes(data[at + 7:at + 9], "big"), int.from_bytes(data[at + 5:at + 7], "big")
-        at += 2 + int.from_bytes(data[at + 2:at + 4], "big")
-    return None
 
 
 def faults(page, scenes, pictures):
@@ -38,7 +29,7 @@ def faults(page, scenes, pictures):
             if words not in card.group(0):
                 found.append(f"{name}: its {what} is not that of the page")
         picture = pictures / f"{name}.jpg"
-        if not picture.exists() or jpeg_size(picture.read_bytes()) != (480, 270):
+        if not picture.exists() or (jpeg_frame(picture.read_bytes(), kinds=(0xc0,)) or ())[:2] != (480, 270):
             found.append(f"{name}: no picture of 480x270")
     shown = set(re.findall(r'<img src="../assets/gallery/(.*?)\.jpg"', page))
     found += [f"{name} ships no more" for name in sorted(shown - set(scenes))]

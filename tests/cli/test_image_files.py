@@ -6,7 +6,8 @@ import zlib
 
 import support
 import test_image_light
-from test_image_light import attribute, exr, grey, hdr, linear, plain_exr, png, rgb
+from image_bytes import attribute, exr_head, png
+from test_image_light import coloured_png, exr, grey, hdr, linear, plain_exr, rgb
 
 WHOLE = (0, 0, 63, 31)
 REC2020 = (0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329)
@@ -33,13 +34,8 @@ def tiled_exr(width, height, value, kind=2, mipmaps=False):
     """In tiles of 32 px; of mip levels the coarser ones hold 9. kind of the channels: 0 whole numbers, 1 half, 2 float."""
     side, form = 32, "Ief"[kind]
     levels = max(width, height).bit_length() if mipmaps else 1
-    chans = b"".join(n.encode() + b"\0" + struct.pack("<iBxxxii", kind, 0, 1, 1) for n in "BGR") + b"\0"
-    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
-    head = (attribute("channels", "chlist", chans) + attribute("compression", "compression", b"\0") + attribute("dataWindow", "box2i", window) +
-            attribute("displayWindow", "box2i", window) + attribute("lineOrder", "lineOrder", b"\0") +
-            attribute("pixelAspectRatio", "float", struct.pack("<f", 1)) + attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0)) +
-            attribute("screenWindowWidth", "float", struct.pack("<f", 1)) +
-            attribute("tiles", "tiledesc", struct.pack("<IIB", side, side, 1 if mipmaps else 0)) + b"\0")
+    window = (0, 0, width - 1, height - 1)
+    head = exr_head("BGR", window, window, kind, [attribute("tiles", "tiledesc", struct.pack("<IIB", side, side, 1 if mipmaps else 0))])
     start, blocks = b"\x76\x2f\x31\x01" + struct.pack("<I", 2 | 0x200) + head, []
     for level in range(levels):
         w, h = max(width >> level, 1), max(height >> level, 1)
@@ -141,7 +137,7 @@ class ImageFiles(support.CliTest):
         self.write("a.exr", plain_exr(64, 32, {**grey(0.4), "A": lambda x, y: 0.5}))
         self.grey_is("a.exr", 0.4)   # colours of an EXR are multiplied by it
         half = 32896 / 65535
-        self.write("a.png", png(64, 32, lambda x, y: (40000, 40000, 40000, 32896), alpha=True))
+        self.write("a.png", coloured_png(64, 32, lambda x, y: (40000, 40000, 40000, 32896), alpha=True))
         self.grey_is("a.png", half * linear(40000 / 65535))
         disc = '[disc]\ninner = 0.5\nouter = 12\ntexture = "image"\nimage = "{}"\nopacity = 1.0\n'
         self.write("black.exr", plain_exr(16, 8, grey(0)))
@@ -165,7 +161,7 @@ class ImageFiles(support.CliTest):
         self.assertEqual(self.middle("b.exr")[0], 0)
         self.assertIn("below 0", self.notes)
         c = [round(100000 * v) for v in (*REC2020[6:], *REC2020[:6])]
-        self.write("a.png", png(64, 32, lambda x, y: [round(65535 * v) for v in pixel],
+        self.write("a.png", coloured_png(64, 32, lambda x, y: [round(65535 * v) for v in pixel],
                                 chunks=[(b"cHRM", struct.pack(">8I", *c)), (b"gAMA", struct.pack(">I", 100000))]))
         self.near(self.middle("a.png"), to_709(pixel))
         self.write("a.hdr", hdr(64, 32, lambda x, y: (128, 102, 77, 128), "PRIMARIES=" + " ".join(map(str, REC2020)) + "\n"))
@@ -179,7 +175,7 @@ class ImageFiles(support.CliTest):
                 ("srgb", [(b"gAMA", struct.pack(">I", 45455)), (b"sRGB", b"\0")], linear(code / 65535), ()),
                 ("pq", [(b"cICP", bytes((9, 16, 0, 1)))], linear(code / 65535), ("cICP", "transfer 16")),
                 ("mac", [(b"gAMA", struct.pack(">I", 55556))], (code / 65535) ** 1.8, ())):
-            self.write(name + ".png", png(64, 32, lambda x, y: (code,) * 3, chunks=chunks))
+            self.write(name + ".png", coloured_png(64, 32, lambda x, y: (code,) * 3, chunks=chunks))
             self.grey_is(name + ".png", value, notes)
         profile = bytearray(144) + bytes(range(156))   # one tag
         profile[0:4] = struct.pack(">I", len(profile))
@@ -188,7 +184,7 @@ class ImageFiles(support.CliTest):
         profile[68:80] = struct.pack(">3I", 0xf6d6, 0x10000, 0xd32d)
         profile[128:144] = struct.pack(">I4sII", 1, b"desc", 144, 156)
         body = b"Wide\0\0" + zlib.compress(bytes(profile))
-        self.write("icc.png", png(64, 32, lambda x, y: (code,) * 3, chunks=[(b"iCCP", body)]))
+        self.write("icc.png", coloured_png(64, 32, lambda x, y: (code,) * 3, chunks=[(b"iCCP", body)]))
         self.grey_is("icc.png", linear(code / 65535), ("iCCP", "Wide"))
 
     @support.costly
@@ -208,7 +204,7 @@ class ImageFiles(support.CliTest):
         for orientation in range(1, 9):
             size = (64, 32) if orientation < 5 else (32, 64)
             for order in "<>":
-                self.write("o.png", png(*size, value(orientation), chunks=[(b"eXIf", exif(orientation, order))]))
+                self.write("o.png", coloured_png(*size, value(orientation), chunks=[(b"eXIf", exif(orientation, order))]))
                 got = self.drawn("o.png", size="8x4", fov=150)
                 wanted = wanted or got
                 self.assertEqual(got, wanted, orientation)
@@ -220,7 +216,7 @@ class ImageFiles(support.CliTest):
         self.assertGreater(len({p for row in wanted for p in row}), 1)
 
     def test_orientation_of_a_jpeg(self):
-        self.write("left.png", png(64, 32, lambda x, y: ((60000 if x < 32 else 9000) if y < 16 else 30000,) * 3))
+        self.write("left.png", coloured_png(64, 32, lambda x, y: ((60000 if x < 32 else 9000) if y < 16 else 30000,) * 3))
         self.write("j.toml", '[spacetime]\nmetric = "minkowski"\n[camera]\nr = 30\ntheta = 90\nfov = 120\n[sky]\nkind = "image"\nimage = "left.png"\nyaw = 180.0\n')
         self.run_nullscope("capture", "j.toml", "--size", "64x64", "-o", "as.jpg", "--quality", "100")
         plain = (self.folder / "as.jpg").read_bytes()
@@ -284,11 +280,7 @@ class ImageFiles(support.CliTest):
                 for _ in range(y, 32, down):
                     text = f"{code:0{bits}b}" * len(range(x, 64, across))
                     rows += b"\0" + bytes(int(text[i:i + 8].ljust(8, "0"), 2) for i in range(0, len(text), 8))
-
-            def chunk(name, body):
-                return struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
-            return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 64, 32, bits, kind, 0, 0, interlaced)) +
-                    b"".join(chunk(*c) for c in chunks) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+            return png(64, 32, rows, bits, kind, chunks, interlaced)
         for interlaced in (0, 1):
             for bits, code in ((1, 1), (2, 1), (4, 7), (8, 99), (16, 12345)):
                 self.write("f.png", few(bits, 0, code, interlaced=interlaced))

@@ -4,27 +4,11 @@ drawn. Nothing of the program or of its packages makes the files or reads the pi
 import json
 import math
 import struct
-import zlib
 
 import support
+from image_bytes import attribute, exr_head, png
 
 TOLERANCE = 1e-3   # relative: half a step of a half float is 4.9e-4, and weights of a software driver's filter have 8 bits
-
-
-def attribute(name, kind, body):
-    return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(body)) + body
-
-
-def channel_list(names, half):
-    return b"".join(n.encode() + b"\0" + struct.pack("<iBxxxii", 1 if half else 2, 0, 1, 1) for n in sorted(names)) + b"\0"
-
-
-def exr_head(names, data, display, half, extra):
-    return (attribute("channels", "chlist", channel_list(names, half)) + attribute("compression", "compression", b"\0") +
-            attribute("dataWindow", "box2i", struct.pack("<4i", *data)) + attribute("displayWindow", "box2i", struct.pack("<4i", *display)) +
-            attribute("lineOrder", "lineOrder", b"\0") + attribute("pixelAspectRatio", "float", struct.pack("<f", 1)) +
-            attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0)) +
-            attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"".join(extra) + b"\0")
 
 
 def exr(*parts, half=False):
@@ -35,7 +19,7 @@ def exr(*parts, half=False):
         rows = data[3] - data[1] + 1
         more = [attribute("name", "string", name.encode()), attribute("type", "string", b"scanlineimage"),
                 attribute("chunkCount", "int", struct.pack("<i", rows))] if several else []
-        heads.append(exr_head(channels, data, display, half, [*extra, *more]))
+        heads.append(exr_head(channels, data, display, 1 if half else 2, [*extra, *more]))
     start = b"\x76\x2f\x31\x01" + struct.pack("<I", 2 | (0x1000 if several else 0)) + b"".join(heads) + (b"\0" if several else b"")
     at = len(start) + sum(8 * (p[2][3] - p[2][1] + 1) for p in parts)
     blocks = []
@@ -67,14 +51,10 @@ def hdr(width, height, pixel, header="", size=None):
     return f"#?RADIANCE\n{header}FORMAT=32-bit_rle_rgbe\n\n{size or f'-Y {height} +X {width}'}\n".encode() + rows
 
 
-def png(width, height, pixel, bits=16, chunks=(), alpha=False):
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+def coloured_png(width, height, pixel, bits=16, chunks=(), alpha=False):
     rows = b"".join(b"\0" + struct.pack(f">{(4 if alpha else 3) * width}{'H' if bits == 16 else 'B'}",
                                         *(v for x in range(width) for v in pixel(x, y))) for y in range(height))
-    head = struct.pack(">IIBBBBB", width, height, bits, 6 if alpha else 2, 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + b"".join(chunk(*c) for c in chunks) + chunk(b"IDAT", zlib.compress(rows, 1)) +
-            chunk(b"IEND", b""))
+    return png(width, height, rows, bits, 6 if alpha else 2, chunks)
 
 
 def linear(code):
@@ -108,11 +88,11 @@ class ImageLight(support.CliTest):
 
     def test_kinds_of_files(self):
         value = linear(40321 / 65535)
-        self.write("g.png", png(64, 32, lambda x, y: (40321,) * 3))
+        self.write("g.png", coloured_png(64, 32, lambda x, y: (40321,) * 3))
         self.near(self.drawn("g.png", size="8x4")[1][3], (value,) * 3)
         self.write("g.hdr", hdr(64, 32, lambda x, y: (211, 211, 211, 129)))
         self.near(self.drawn("g.hdr", size="8x4")[1][3], (211 / 128,) * 3)
-        self.write("b.png", png(64, 32, lambda x, y: (201, 101, 11), bits=8))
+        self.write("b.png", coloured_png(64, 32, lambda x, y: (201, 101, 11), bits=8))
         self.near(self.drawn("b.png", size="8x4")[1][3], [linear(v / 255) for v in (201, 101, 11)])
         self.near(self.drawn("b.png", size="8x4", sky="brightness = 1e-4")[1][3], [1e-4 * linear(v / 255) for v in (201, 101, 11)])
         self.write("h.exr", plain_exr(64, 32, grey(1.03), half=True))
@@ -148,7 +128,7 @@ class ImageLight(support.CliTest):
     def test_faces_are_as_fine_as_picture_and_image(self):
         """A texel in a face's middle spans 2/px; a picture of fov over w px asks for 2/(fov/w), an image for 1.5 columns/pi."""
         for columns, fov, wanted, lost in ((256, 100, 2048, False), (2048, 1, 2048, False), (8192, 100, 2048, False), (8192, 1, 4096, False), (16384, 1, 4096, True)):
-            self.write("w.png", png(columns, 2, lambda x, y: (200,) * 3, bits=8))
+            self.write("w.png", coloured_png(columns, 2, lambda x, y: (200,) * 3, bits=8))
             width, texel, reason = self.faces("w.png", fov)
             self.assertEqual(texel, 8)
             self.assertIn("half floats", reason)

@@ -40,12 +40,6 @@ class ManyMachines(FarmTest):
                 pass   # it has ended
         return found
 
-    def wait(self, what, until):
-        deadline = time.monotonic() + support.LONGEST_S
-        while not until():
-            self.assertLess(time.monotonic(), deadline, what)
-            time.sleep(0.01)
-
     def kill(self, process):
         """While it starts, or at a random moment of its first pictures. Whether it was not done before."""
         moment, until = time.monotonic() + self.chance.uniform(0, 1.5), self.count() + self.chance.randrange(5)

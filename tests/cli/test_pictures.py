@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import support
+from image_bytes import jpeg_segments, png_chunks
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "viewer"))
 from x_screen import read_png  # noqa: E402
@@ -16,27 +17,22 @@ SPLIT = '[camera]\nr = 8\n[sky]\nkind = "plain"\n[split]\nmetric = "kerr"\n'
 BAR = 'name = "bar"\n[camera]\nr = 1000\nfov = 2\n[sky]\nkind = "plain"\n[object]\nmass_suns = 6.5e9\ndistance_pc = 16.8e6\n[picture]\nscale_bar = "uas"\n'
 
 
-def jpeg_frame(data):
+def jpeg_frame(data, kinds=(0xc0, 0xc1, 0xc2)):
     """Width, height and the sampling byte of each component."""
-    at = 2
-    while data[at] == 0xff:
-        kind, length = data[at + 1], struct.unpack(">H", data[at + 2:at + 4])[0]
-        if kind in (0xc0, 0xc1, 0xc2):
-            height, width, count = struct.unpack(">HHB", data[at + 5:at + 10])
-            return width, height, [data[at + 11 + 3 * i] for i in range(count)]
-        at += 2 + length
-    raise ValueError("no frame")
+    for kind, body in jpeg_segments(data):
+        if kind in kinds:
+            height, width, count = struct.unpack(">HHB", body[1:6])
+            return width, height, [body[7 + 3 * i] for i in range(count)]
+    return None
 
 
 def png_texts(data):
     """By keyword; of iTXt chunks that are not compressed."""
-    texts, at = {}, 8
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
+    texts = {}
+    for kind, body in png_chunks(data):
         if kind == b"iTXt":
-            keyword, rest = data[at + 8:at + 8 + length].split(b"\0", 1)
+            keyword, rest = body.split(b"\0", 1)
             texts[keyword.decode()] = rest[2:].split(b"\0", 2)[2].decode()   # after two flags, language and translated keyword
-        at += 12 + length
     return texts
 
 

@@ -12,6 +12,7 @@ import zlib
 from pathlib import Path
 
 import support
+from image_bytes import attribute, exr_attributes, jpeg_segments, png
 from test_astronomy import read_fits
 from test_pictures import png_texts
 
@@ -31,11 +32,7 @@ KEYS = '[spacetime]\nmetric = "kerr"\nspin = 0.8\n[camera]\nr = 20\n[sky]\nkind 
 def png_of(colour, width=64, height=32):
     """A PNG of stripes, by hand."""
     rows = b"".join(b"\0" + b"".join(bytes(colour if x // 4 % 2 else (9, 9, 9)) for x in range(width)) for _ in range(height))
-
-    def chunk(kind, body):
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) + \
-        chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b"")
+    return png(width, height, rows)
 
 
 def grid_of(density, head=""):
@@ -52,28 +49,12 @@ def mesh_of(shift):
 
 
 def jpeg_texts(data):
-    texts, at = {}, 2
-    while data[at + 1] != 0xda:
-        kind, length = data[at + 1], struct.unpack(">H", data[at + 2:at + 4])[0]
-        body = data[at + 4:at + 2 + length]
-        if kind == 0xfe and body.startswith(b"nullscope."):
-            keyword, text = body.split(b"\n", 1)
-            texts[keyword.decode()] = text.decode()
-        at += 2 + length
-    return texts
+    said = (body.split(b"\n", 1) for kind, body in jpeg_segments(data) if kind == 0xfe and body.startswith(b"nullscope."))
+    return {keyword.decode(): text.decode() for keyword, text in said}
 
 
-def exr_attributes(data):
-    """Strings by name."""
-    at, texts = 8, {}
-    while data[at] != 0:
-        name_end = data.index(b"\0", at)
-        kind_end = data.index(b"\0", name_end + 1)
-        length = struct.unpack("<i", data[kind_end + 1:kind_end + 5])[0]
-        if data[name_end + 1:kind_end] == b"string":
-            texts[data[at:name_end].decode()] = data[kind_end + 5:kind_end + 5 + length].decode()
-        at = kind_end + 5 + length
-    return texts
+def exr_texts(data):
+    return {name: body.decode() for name, (kind, body) in exr_attributes(data)[0].items() if kind == "string"}
 
 
 def whole(texts):
@@ -135,7 +116,7 @@ def card_texts(cards):
 
 def texts_of(path):
     data = path.read_bytes()
-    texts = {".png": png_texts, ".jpg": jpeg_texts, ".exr": exr_attributes, ".fits": fits_texts, ".tif": lambda d: card_texts(read_tiff(d)[0][270].split("\n"))}[path.suffix](data)
+    texts = {".png": png_texts, ".jpg": jpeg_texts, ".exr": exr_texts, ".fits": fits_texts, ".tif": lambda d: card_texts(read_tiff(d)[0][270].split("\n"))}[path.suffix](data)
     return {keyword: text for keyword, text in whole(texts).items() if keyword not in OTHERS}
 
 
@@ -331,7 +312,7 @@ class Provenance(support.CliTest):
         long = self.write("long.toml", 'name = "%s"\n[sky]\nkind = "plain"\n' % ("ä" * 90) +
                           "".join(f'[[ball]]\nname = "ball-{i}"\nposition = [{20 + i}.123456789, 3.25, {i}]\n' for i in range(30)))
         self.capture(long, "a.exr", *SIZE)
-        attributes = exr_attributes((self.folder / "a.exr").read_bytes())
+        attributes = exr_texts((self.folder / "a.exr").read_bytes())
         self.assertLessEqual(max(len(text.encode()) for text in attributes.values()), 240)
         self.assertGreater(len(texts_of(self.folder / "a.exr")["nullscope.scene_text"]), 1500)
         if shutil.which("ffmpeg") is None:
@@ -348,21 +329,11 @@ class Provenance(support.CliTest):
         """One attribute, however long."""
         self.run_nullscope("capture", "m87", "--size", "32x18", "-o", "a.exr")
         data = (self.folder / "a.exr").read_bytes()
-        texts = exr_attributes(data)
-        text = whole(texts)["nullscope.scene_text"].encode()
+        text = whole(exr_texts(data))["nullscope.scene_text"].encode()
         self.assertGreater(len(text), 240)
-        head = data[:8] + b"nullscope.scene_text\0string\0" + struct.pack("<i", len(text)) + text
-
-        def without_pieces(at):
-            out = b""
-            while data[at] != 0:
-                name_end = data.index(b"\0", at)
-                kind_end = data.index(b"\0", name_end + 1)
-                end = kind_end + 5 + struct.unpack("<i", data[kind_end + 1:kind_end + 5])[0]
-                out += b"" if data[at:].startswith(b"nullscope.") else data[at:end]
-                at = end
-            return out
-        self.write("old.exr", head + without_pieces(8) + b"\0")
+        others = {name: value for name, value in exr_attributes(data)[0].items() if not name.startswith("nullscope.")}
+        head = b"".join(attribute(name, *value) for name, value in {"nullscope.scene_text": ("string", text), **others}.items())
+        self.write("old.exr", data[:8] + head + b"\0")
         self.run_nullscope("capture", "old.exr", "-o", "b.exr")
         self.assertEqual(texts_of(self.folder / "b.exr"), texts_of(self.folder / "a.exr"))
 

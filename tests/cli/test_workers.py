@@ -3,7 +3,6 @@
 import os
 import signal
 import subprocess
-import time
 from pathlib import Path
 
 import support
@@ -50,22 +49,12 @@ class Workers(FarmTest):
         for file in self.folder.glob("g*"):
             file.unlink()
         self.write("endless.toml", "[camera]\nr = 9\n[sky]\nkind = \"grid\"\n")
-        run = subprocess.Popen([support.BINARY, "capture", "endless.toml", *self.ENDLESS], cwd=self.folder, text=True,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        self.addCleanup(run.stderr.close)
-        self.addCleanup(run.wait)
-        self.addCleanup(run.kill)
+        run = self.started("capture", "endless.toml", *self.ENDLESS, text=True, stderr=subprocess.PIPE)
         self.wait("pictures", lambda: len(list(self.folder.glob("g*.png"))) > 9)
         workers = [int(word) for word in Path(f"/proc/{run.pid}/task/{run.pid}/children").read_text().split()]
         self.assertEqual(len(workers), 3)
         self.assertEqual(os.listdir(f"/proc/{run.pid}/task"), [str(run.pid)], "it was forked with threads")
         return run, workers
-
-    def wait(self, what, until):
-        deadline = time.monotonic() + support.LONGEST_S
-        while not until():
-            self.assertLess(time.monotonic(), deadline, what)
-            time.sleep(0.02)
 
     def check_ended(self, workers):
         self.wait("the end of workers", lambda: not any(Path(f"/proc/{worker}").exists() for worker in workers))
