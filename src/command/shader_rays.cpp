@@ -79,13 +79,12 @@ public:
 
     // About a rotating hole: does a narrow view along it need the peak from the host (observer/spin_ring.h)?
     bool is_next_to_ring(const Start& start) {
-        const AxialMetric* axial = spacetime_.axial();
-        if (axial == nullptr || !scene_.light.lensing || !spacetime_.bends_light()) return false;
+        if (!spacetime_.rotates() || !scene_.light.lensing || !spacetime_.bends_light()) return false;
         const Observer* seen = observer(start.r, start.theta, start.observer);
         if (seen == nullptr) return false;
-        if (!ring_) ring_.emplace(*axial, camera_, *seen);
+        if (!ring_) ring_.emplace(spacetime_, camera_, *seen);
         if (!(std::fabs(ring_->of(seen->turn * start.n).distance()) < kMaybeNext)) return false;
-        return nullscope::is_next_to_ring(*axial, view_along(scene_, start).camera, *seen, scene_.light);
+        return nullscope::is_next_to_ring(spacetime_, view_along(scene_, start).camera, *seen, scene_.light);
     }
 
 private:

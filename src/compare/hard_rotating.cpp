@@ -72,8 +72,9 @@ std::vector<HardCase> hard_rotating_cases() {
     std::vector<HardCase> list;
     for (const Hole& hole : holes) {
         const auto spacetime = *make_spacetime(hole.metric, hole.parameters);
-        places(list, hole, *spacetime->axial());
-        rotating_motions(list, hole, *spacetime->axial());
+        const AxialMetric& metric = *spacetime->axial();
+        places(list, hole, metric);
+        rotating_motions(list, hole, metric);
     }
     return list;
 }

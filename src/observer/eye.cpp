@@ -199,7 +199,7 @@ double behind(const Spacetime& spacetime, const CameraSpec& camera) {
 }
 
 double azimuth_ahead_of(const Spacetime& spacetime, const CameraSpec& camera) {
-    return spacetime.axial() != nullptr && !falls(camera) ? azimuth_ahead(*spacetime.axial(), camera.r) : 0.0;
+    return falls(camera) ? 0.0 : spacetime.azimuth_ahead(camera.r);
 }
 
 }  // namespace

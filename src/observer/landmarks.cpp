@@ -67,10 +67,10 @@ Landmarks landmarks_of(const Spacetime& spacetime) {
     found.horizon = spacetime.horizon_radius();
     if (const auto sphere = spacetime.photon_sphere())
         found.photon_orbit = sphere->radius, found.critical_impact = 1.0 / sphere->q_crit;
-    else if (spacetime.axial() != nullptr && found.horizon)
+    else if (spacetime.rotates() && found.horizon)
         found.photon_orbit = light_orbit(spacetime);
     if (spacetime.can_have_disc() && !spacetime.by_proper_length()) found.isco = innermost_stable_orbit(spacetime);
-    if (spacetime.axial() != nullptr && found.horizon) {
+    if (spacetime.rotates() && found.horizon) {
         found.retrograde_photon_orbit = light_orbit(spacetime, Sense::kRetrograde);
         found.retrograde_isco = innermost_stable_orbit(spacetime, Sense::kRetrograde);
     }

@@ -27,7 +27,7 @@ Error view_refused(std::string what, std::string allowed) {
 // A photon sphere's, or the spherical orbit of this point of the ring. Through a barrier's top light passes twice, and inside of it sweeps
 // twice as much.
 Result<PhotonOrbit> similar_orbit(const Spacetime& spacetime, const CameraSpec& camera) {
-    const bool rotates = spacetime.axial() != nullptr;
+    const bool rotates = spacetime.rotates();
     const auto orbit =
         photon_orbit(spacetime, rotates ? camera.theta : 0.5 * std::numbers::pi,
                      rotates ? std::fabs(std::remainder(camera.zoom->angle, 2.0 * std::numbers::pi)) : 0.0);
@@ -61,8 +61,8 @@ Result<Found> find(const Spacetime& spacetime, const CameraSpec& camera, const L
     const auto critical = CriticalLight::make(spacetime, ahead, light);
     if (!critical) return view_refused("light travels straight", "light.lensing = \"on\"");
     const CameraSpec aimed = towards(*critical, camera);
-    if (spacetime.axial() != nullptr) {
-        const double per_pixel = ring_distance_per_pixel(*spacetime.axial(), aimed, *observer, light);
+    if (spacetime.rotates()) {
+        const double per_pixel = ring_distance_per_pixel(spacetime, aimed, *observer, light);
         return Found{aimed, *orbit, per_pixel};
     }
     CameraSpec still = ahead;

@@ -37,9 +37,9 @@ SpinForm horizon_form(const AxialMetric& metric, const SpinPlace& p, const SpinF
             over(rise * tangent.around - energy * v)};
 }
 
-bool is_next_to_horizon(const AxialMetric& metric, double r) {
+bool is_next_to_horizon(const Spacetime& spacetime, double r) {
     constexpr double kNext = 0.6;
-    return std::fabs(1.0 - metric.outer_horizon() / r) < kNext;
+    return std::fabs(1.0 - *spacetime.horizon_radius() / r) < kNext;
 }
 
 }  // namespace nullscope

@@ -22,6 +22,6 @@ SpinForms spin_forms(const SpinPlace& place, const SpinFrame& frame);
 // it. Formed without E and L, which next to the horizon are much larger and all but equal.
 SpinForm horizon_form(const AxialMetric& metric, const SpinPlace& place, const SpinFrame& frame);
 // Is a camera at r so close to the outer horizon, on either side, that its rays need this form (shaders/mino/near.glsl)?
-bool is_next_to_horizon(const AxialMetric& metric, double r);
+bool is_next_to_horizon(const Spacetime& spacetime, double r);
 
 }  // namespace nullscope

@@ -10,11 +10,6 @@ SpinPlace spin_place(const AxialMetric& metric, double r, double theta) {
     return {a, r, sine, cosine, metric.delta(r), r * r + a * a * cosine * cosine, r * r + a * a, metric.two_mass(r)};
 }
 
-double azimuth_ahead(const AxialMetric& metric, double r) {
-    const double gap = metric.outer_horizon() - metric.inner_horizon();
-    return metric.a() / gap * std::log1p(-gap / (r - metric.inner_horizon()));
-}
-
 // Where Delta = a^2 sin^2(theta).
 double static_limit(const AxialMetric& metric, double theta) {
     const double part = 2.0 * metric.a() * std::cos(theta);

@@ -30,8 +30,6 @@ struct SpinPlace {
 };
 SpinPlace spin_place(const AxialMetric& metric, double r, double theta);
 
-// phi~ - phi; r outside the outer horizon.
-double azimuth_ahead(const AxialMetric& metric, double r);
 // Where the ergosphere ends at this theta, r_s.
 double static_limit(const AxialMetric& metric, double theta);
 

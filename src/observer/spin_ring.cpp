@@ -15,8 +15,8 @@ constexpr double kSmallestFitted = 1e-4;  // e: of smaller views as much is fitt
 
 class Peaks {
 public:
-    Peaks(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer, const LightSpec& light)
-        : rays_(metric, camera, observer),
+    Peaks(const Spacetime& spacetime, const CameraSpec& camera, const Observer& observer, const LightSpec& light)
+        : rays_(spacetime, camera, observer),
           pixel_(camera.pixel()),
           axes_(observer.turn * static_from_camera(camera)),
           seen_from_(boost(light.aberration ? observer.velocity : Vec3{})) {}
@@ -86,10 +86,12 @@ double ring_slope(const Peaks& peaks) {
 
 }  // namespace
 
-RingOfRays::RingOfRays(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer)
-    : place_(spin_place(metric, camera.r, camera.theta)),
-      forms_(spin_forms(place_, {observer.frame, observer.azimuthal_velocity})),
-      charge2_(metric.charge2()) {}
+RingOfRays::RingOfRays(const Spacetime& spacetime, const CameraSpec& camera, const Observer& observer) {
+    const AxialMetric& metric = *spacetime.axial();
+    place_ = spin_place(metric, camera.r, camera.theta);
+    forms_ = spin_forms(place_, {observer.frame, observer.azimuthal_velocity});
+    charge2_ = metric.charge2();
+}
 
 // As shaders/mino/ring.glsl has it in float.
 RingOfRays::Barrier RingOfRays::of(Vec3 n) const {
@@ -103,20 +105,20 @@ RingOfRays::Barrier RingOfRays::of(Vec3 n) const {
     return {energy * energy - zeta * zeta * zeta * (0.5 * k - quartic * zeta), zeta * zeta * zeta * root};
 }
 
-double ring_distance_per_pixel(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
+double ring_distance_per_pixel(const Spacetime& spacetime, const CameraSpec& camera, const Observer& observer,
                                const LightSpec& light) {
-    return ring_slope(Peaks(metric, camera, observer, light));
+    return ring_slope(Peaks(spacetime, camera, observer, light));
 }
 
-bool is_next_to_ring(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,
+bool is_next_to_ring(const Spacetime& spacetime, const CameraSpec& camera, const Observer& observer,
                      const LightSpec& light) {
-    const Peaks peaks(metric, camera, observer, light);
+    const Peaks peaks(spacetime, camera, observer, light);
     const double slope = ring_slope(peaks), corner = 2.0 * reach_px(camera);
     return slope < kNarrow && std::fabs(peaks.distance(0, 0)) < slope * corner;
 }
 
-bool is_hard_ring(const AxialMetric& metric, double camera_r) {
-    return 2.0 * metric.a() > kRingFastest || camera_r < metric.outer_horizon() + kRingNearest;
+bool is_hard_ring(const Spacetime& spacetime, double camera_r) {
+    return 2.0 * spacetime.a() > kRingFastest || camera_r < *spacetime.horizon_radius() + kRingNearest;
 }
 
 std::optional<PeakForm> peak_form(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,

@@ -115,29 +115,31 @@ State spin_slope(const AxialMetric& metric, const State& state) {
 
 }  // namespace
 
+const AxialMetric& SpinWorldline::metric() const { return *spacetime_->axial(); }
+
 Result<SpinWorldline> SpinWorldline::make(std::shared_ptr<const Spacetime> spacetime, const CameraSpec& start,
                                           double duration) {
     TRY(tetrad, ingoing_hat_pair(*spacetime, start));
-    const AxialMetric& metric = *spacetime->axial();
     SpinWorldline line;
+    line.spacetime_ = std::move(spacetime);
     line.start_ = start;
+    const AxialMetric& metric = line.metric();
     const double a = metric.a();
-    const Place place{start.r, start.theta, start.phi + (falls(start) ? 0.0 : azimuth_ahead(metric, start.r))};
+    const Place place{start.r, start.theta, start.phi + (falls(start) ? 0.0 : metric.azimuth_ahead(start.r))};
     const double st = std::sin(place.theta), c = std::cos(place.phi), s = std::sin(place.phi);
     State state{(place.r * c - a * s) * st, (place.r * s + a * c) * st, place.r * std::cos(place.theta)};
     for (std::size_t i = 0; i < kVectors; ++i) {
         const Vec4 v = cartesian(a, place, tetrad->high[i]);
         std::copy(v.begin(), v.end(), state.begin() + 3 + 4 * static_cast<std::ptrdiff_t>(i));
     }
-    line.ahead_ = falls(start) ? 0.0 : time_ahead(*spacetime, start.r);
-    line.spacetime_ = std::move(spacetime);
+    line.ahead_ = falls(start) ? 0.0 : time_ahead(metric, start.r);
     line.nodes_.push_back({0, state, 0});
     line.run(duration);
     return line;
 }
 
 void SpinWorldline::run(double duration) {
-    const AxialMetric& metric = *spacetime_->axial();
+    const AxialMetric& metric = this->metric();
     const double outer = metric.outer_horizon(), inner = metric.inner_horizon(),
                  low = inner + kShortOfInner * (outer - inner);
     const auto slope = [&](const State& s) { return spin_slope(metric, s); };
@@ -186,7 +188,7 @@ SpinWorldline::Node SpinWorldline::node_at(double tau) const {
     const auto after =
         std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, when, [](double t, const Node& n) { return t < n.tau; });
     const Node& before = *(after - 1);
-    const AxialMetric& metric = *spacetime_->axial();
+    const AxialMetric& metric = this->metric();
     State wrong{};
     const State there = dormand_prince(
         before.state, when - before.tau, [&](const State& s) { return spin_slope(metric, s); }, wrong);
@@ -201,7 +203,7 @@ double SpinWorldline::azimuth(double tau) const { return node_at(tau).azimuth; }
 
 SpinWorldline::Constants SpinWorldline::constants(double tau) const {
     const State s = node_at(tau).state;
-    const AxialMetric& metric = *spacetime_->axial();
+    const AxialMetric& metric = this->metric();
     const double a = metric.a();
     const KerrSchildField field(metric, s[0], s[1], s[2]);
     const Vec4 u = state_vector(s, 0);
@@ -215,7 +217,7 @@ SpinWorldline::Constants SpinWorldline::constants(double tau) const {
 
 CameraSpec SpinWorldline::at(double tau) const {
     const State s = node_at(tau).state;
-    const AxialMetric& metric = *spacetime_->axial();
+    const AxialMetric& metric = this->metric();
     const double a = metric.a();
     const KerrSchildField field(metric, s[0], s[1], s[2]);
     const Place place = place_of(metric, s[0], s[1], s[2]);

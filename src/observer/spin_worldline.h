@@ -44,6 +44,7 @@ private:
         double azimuth;
     };
     SpinWorldline() = default;
+    const AxialMetric& metric() const;
     void run(double duration);
     Node node_at(double tau) const;
     std::shared_ptr<const Spacetime> spacetime_;

@@ -93,7 +93,7 @@ Worldline::State Worldline::step(const State& s, double h, double& error) const 
 
 Result<Worldline> Worldline::make(std::shared_ptr<const Spacetime> spacetime, const CameraSpec& start,
                                   double duration) {
-    if (spacetime->axial() != nullptr) {
+    if (spacetime->rotates()) {
         TRY(spun, SpinWorldline::make(std::move(spacetime), start, duration));
         Worldline line;
         line.energy_ = spun->energy(), line.last_ = line.end_time_ = spun->last(),

@@ -58,7 +58,7 @@ std::span<const Feature> light_features() {
           "some 8 steps of five force evaluations per pixel, at most 64"},
          [](const FrameFacts& f) -> Reason {
              if (!rotates(f)) return kNot;
-             return fmt::format("spacetime.spin = {}", 2.0 * f.spacetime->axial()->a());
+             return fmt::format("spacetime.spin = {}", 2.0 * f.spacetime->a());
          },
          [](Scene& s) {
              s.spacetime.parameters["spin"] = 0.0;
@@ -118,7 +118,7 @@ std::span<const Feature> light_features() {
              if (!rotates(f) || f.observer == nullptr) return kNot;
              const CameraSpec& camera = f.scene.camera;
              if (camera.zoom) return fmt::format("zoom.depth = {}", camera.zoom->depth);
-             return reason_if(is_next_to_ring(*f.spacetime->axial(), camera, *f.observer, f.scene.light),
+             return reason_if(is_next_to_ring(*f.spacetime, camera, *f.observer, f.scene.light),
                               fmt::format("camera.fov = {:.3g}", 180.0 / M_PI * field_of_view(camera)));
          },
          nullptr,
@@ -128,7 +128,7 @@ std::span<const Feature> light_features() {
           "Rays next to the horizon of a rotating hole keep their distance from it to full precision.",
           "the hole rotates, and 1 - r_+/camera.r is between -0.6 and 0.6", "steps of a tenth more work"},
          [](const FrameFacts& f) {
-             return reason_if(rotates(f) && is_next_to_horizon(*f.spacetime->axial(), f.scene.camera.r),
+             return reason_if(rotates(f) && is_next_to_horizon(*f.spacetime, f.scene.camera.r),
                               fmt::format("camera.r = {:.4g}", f.scene.camera.r));
          },
          nullptr,

@@ -28,7 +28,7 @@ Result<PhotonRing> PhotonRing::make(const Scene& scene) {
     CameraSpec& camera = ring.scene_.camera;
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     ring.spacetime_ = *spacetime;
-    if ((*spacetime)->axial() == nullptr) {
+    if (!(*spacetime)->rotates()) {
         if (!falls(camera)) camera.observer = ObserverKind::kStatic;
         camera.velocity = {};
     }
@@ -58,7 +58,7 @@ PhotonRing::Place PhotonRing::place(double psi) const {
                 0.0,
                 photon_orbit(*spacetime_, scene_.camera.theta, psi)->r,
                 0.5 * angle_between(critical, critical_->direction(psi + M_PI))};
-    if (spacetime_->axial() == nullptr) return place;
+    if (!spacetime_->rotates()) return place;
     double inside = -kEdge, outside = kEdge;
     for (double middle = 0.0; middle > inside && middle < outside; middle = 0.5 * (inside + outside)) {
         if (outside - inside < 1e-18) break;
@@ -73,7 +73,7 @@ std::optional<PhotonRing::Image> PhotonRing::image_at(const Place& place, int cr
     const auto list = traced->crossings(crossing);
     if (static_cast<int>(list.size()) < crossing) return std::nullopt;
     const PlaneCrossing& there = list.back();
-    const bool areal = spacetime_->axial() != nullptr || spacetime_->orbit_equation() != nullptr;
+    const bool areal = spacetime_->rotates() || spacetime_->orbit_equation() != nullptr;
     return Image{delta, traced->swept(there.along), areal ? traced->delay(there.along) : kNotANumber, there.phi};
 }
 

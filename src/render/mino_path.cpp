@@ -49,7 +49,7 @@ void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     frame.spin_across = {forms.across.constant, forms.across.radial, forms.across.around, forms.carter};
     frame.spin_climb = {forms.climb.constant, forms.climb.radial, forms.climb.around, forms.carter_slope};
     frame.spin_place = {std::sin(camera.theta), plane_height(camera.theta), std::cos(camera.phi), std::sin(camera.phi)};
-    frame.spin_turn = {camera.r > outer ? azimuth_ahead(*metric_, camera.r) : 0.0, a / (outer - inner),
+    frame.spin_turn = {camera.r > outer ? metric_->azimuth_ahead(camera.r) : 0.0, a / (outer - inner),
                        metric_->charge2(), 0};
     if (plan.effects.contains(Effect::kSpinRing)) write_ring(plan, frame);
     if (plan.effects.contains(Effect::kSpinNear)) write_near(plan, frame);

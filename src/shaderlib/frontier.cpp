@@ -25,10 +25,9 @@ constexpr double kTellsNothing_px = 1.0;
 // Of metrics that were not measured: a view next to the ring of a rotating hole, whose bounds are not of the bench (observer/spin_ring.h).
 std::optional<Choice> next_to_ring(const Scene& scene) {
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    if (!spacetime || (*spacetime)->axial() == nullptr ||
-        !effect_set(required_effects(scene)).contains(Effect::kSpinRing))
+    if (!spacetime || !(*spacetime)->rotates() || !effect_set(required_effects(scene)).contains(Effect::kSpinRing))
         return std::nullopt;
-    if (is_hard_ring(*(*spacetime)->axial(), scene.camera.r))
+    if (is_hard_ring(**spacetime, scene.camera.r))
         return Choice{
             Method{}, kRingHardest_px,
             fmt::format("mino: next to the ring of so fast a hole, or so near to it, at most {} px across the "

@@ -16,6 +16,11 @@ double AxialMetric::lapse_squared(double r) const {
     return (1.0 - outer_ * zeta) * (1.0 - inner_ * zeta) / (1.0 + a2 * (1.0 + zeta * two_mass(r)));
 }
 
+double AxialMetric::azimuth_ahead(double r) const {
+    const double gap = outer_ - inner_;
+    return a_ / gap * std::log1p(-gap / (r - inner_));
+}
+
 Matrix4 AxialMetric::metric(double r, double theta) const {
     const double sine2 = std::pow(std::sin(theta), 2), sigma = r * r + a_ * a_ * std::pow(std::cos(theta), 2),
                  pull = two_mass(r) * r / sigma;

@@ -21,7 +21,8 @@ public:
     AxialMetric(std::string_view name, double spin_over_mass, double charge_over_mass);
     std::string_view name() const override { return name_; }
     const AxialMetric* axial() const override { return this; }
-    double a() const { return a_; }
+    double a() const override { return a_; }
+    double azimuth_ahead(double r) const override;  // outside the outer horizon
     double charge2() const { return charge2_; }
     double outer_horizon() const { return outer_; }
     double inner_horizon() const { return inner_; }

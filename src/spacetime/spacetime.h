@@ -72,7 +72,11 @@ public:
 
     // What it can do.
     bool planar_rays() const { return spherical() != nullptr; }  // every ray stays in a plane through the centre
-    virtual bool knows_light_time() const = 0;                   // the shader can tell how long light takes
+    bool rotates() const { return !planar_rays(); }              // prograde is not retrograde
+    virtual double a() const { return 0.0; }                     // angular momentum per mass, r_s
+    // Azimuth of the ingoing coordinates, which are regular at a horizon, less the metric's own: 0 where nothing rotates, and far away.
+    virtual double azimuth_ahead(double) const { return 0.0; }
+    virtual bool knows_light_time() const = 0;  // the shader can tell how long light takes
     virtual bool can_have_disc() const = 0;
     virtual bool can_have_bodies() const = 0;
 

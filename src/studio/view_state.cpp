@@ -57,7 +57,7 @@ namespace {
 void keep_hole_black(Scene& scene) {
     constexpr double kOutside = 1.0 + 1e-3;  // of the horizon: bodies are
     const auto spacetime = spacetime_of(scene);
-    if (scene.light.lensing || spacetime == nullptr || spacetime->axial() != nullptr) return;
+    if (scene.light.lensing || spacetime == nullptr || spacetime->rotates()) return;
     const double radius = spacetime->horizon_radius().value_or(0.0) * kOutside;
     if (radius == 0.0 || scene.camera.r <= radius || scene.bodies.size() == kMostBodies) return;
     add_body(scene, SphereSpec{.radius = radius}).material.colour = {0, 0, 0};

@@ -52,7 +52,7 @@ std::vector<LandmarkCircle> landmark_circles(const Spacetime& spacetime) {
         add("ergosphere", static_limit(*metric, 0.5 * std::numbers::pi), kErgosphere, false);
     if (const auto sphere = open_photon_sphere(spacetime))
         add("photon orbit", sphere->radius, kCriticalColour, false);
-    else if (spacetime.axial() != nullptr)
+    else if (spacetime.rotates())
         add("photon orbit", marks.photon_orbit, kCriticalColour, false);
     add("ISCO", marks.isco, kIsco, false);
     std::ranges::stable_sort(found, {}, &LandmarkCircle::areal);

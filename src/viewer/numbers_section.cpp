@@ -62,7 +62,7 @@ bool numbers_section(ViewState& view) {
         if (r) number(name, length_words(*r, style, 5), help);
     };
     radius("Horizon", marks.horizon, "Nothing comes back from inside it. About a rotating hole: the outer one.");
-    const bool rotates = spacetime->axial() != nullptr;
+    const bool rotates = spacetime->rotates();
     radius("Photon orbit", marks.photon_orbit,
            rotates ? "Prograde circular photon orbit in the equatorial plane." : "Circular photon orbit.");
     radius("retrograde", marks.retrograde_photon_orbit, "Retrograde circular photon orbit.");

@@ -86,7 +86,7 @@ std::string zoom_words(const Scene& scene) {
     Scene plain = scene;
     plain.camera = view->camera;
     plain.disc.reset(), plain.spots.clear(), plain.bodies.clear(), plain.medium.reset();
-    if (spacetime->axial() != nullptr) plain.disc.emplace();  // image_order(): the reference then counts crossings
+    if (spacetime->rotates()) plain.disc.emplace();  // image_order(): the reference then counts crossings
     const auto tracer = reference::FrameTracer::make(plain);
     if (!tracer) return words;
     const double w = plain.camera.width, h = plain.camera.height;

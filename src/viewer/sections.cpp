@@ -166,7 +166,7 @@ bool light_section(ViewState& view, bool escape) {
     LightSpec& light = view.scene.light;
     PictureSpec& picture = view.scene.picture;
     const auto spacetime = spacetime_of(view.scene);
-    const bool rotates = spacetime != nullptr && spacetime->axial() != nullptr;
+    const bool rotates = spacetime != nullptr && spacetime->rotates();
     bool changed = tick_if(!rotates, "Lensing", light.lensing,
                            "Light follows the geodesics of the metric. Off: it travels straight, past a black sphere "
                            "as large as the horizon; all else is unchanged.",

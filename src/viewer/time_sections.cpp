@@ -27,8 +27,7 @@ bool hold(ViewState& view, ObserverKind observer, const Spacetime& spacetime) {
         return false;
     }
     if (falls(view.scene.camera)) view.scene.time -= time_ahead(spacetime, held.r);  // t again
-    if (spacetime.axial() != nullptr && falls(view.scene.camera))
-        held.phi -= azimuth_ahead(*spacetime.axial(), held.r);  // where the far sky has it
+    if (falls(view.scene.camera)) held.phi -= spacetime.azimuth_ahead(held.r);       // where the far sky has it
     view.scene.camera = held;
     view.fall.stop();
     return true;

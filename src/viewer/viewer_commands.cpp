@@ -210,7 +210,7 @@ void Viewer::toggle_potential() {
     view_.show_potential = !view_.show_potential;
     const auto spacetime = spacetime_of(view_.scene);
     if (!view_.show_potential || spacetime == nullptr) return;
-    if (spacetime->axial() != nullptr)
+    if (spacetime->rotates())
         say("No effective potential about a rotating hole: rays do not stay in a plane");
     else if (!is_open(view_, kProbePanel))
         say("Effective potential: shown with the ray of a pixel (P)");

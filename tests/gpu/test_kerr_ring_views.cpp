@@ -85,7 +85,7 @@ struct Most {
     int views = 0, hard_views = 0;
     void add(const Scene& scene, KerrRingViewsOff off) {
         const auto spacetime = *make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-        const bool is_hard = is_hard_ring(*spacetime->axial(), scene.camera.r);
+        const bool is_hard = is_hard_ring(*spacetime, scene.camera.r);
         if (scene.camera.zoom && scene.camera.zoom->depth > kDeepestAlong) off.along = 0;
         if (!is_hard && (off.across_px > kRingAcross_px || off.along > kRingAlong || off.fates > 0))
             fmt::print("{}\n", words(scene, off));
