@@ -19,7 +19,7 @@ void main() {
     star_peak = point.peak;
 #ifdef EFFECT_CUBE_FACES
     // On every face: the rim of its light too.
-    PixelView looks = faces_view(point.pixel);
+    PixelView looks = cube_view(point.pixel);
     star_face = gl_InstanceID;
     vec3 turned = on_face(vec3(looks.at.xy * frame.image.z, looks.at.z), star_face);
     point.seen = point.seen && turned.z > 0.0;

@@ -18,7 +18,7 @@ Status check_faces(const Scene& scene, const CaptureOptions& options) {
     if (options.output.find(kPlace, options.output.find(kPlace) + 1) != std::string::npos ||
         options.output.find('/', options.output.find(kPlace)) != std::string::npos)
         return bad_input(what + "names of faces need one placeholder", "one %s in the file's name");
-    if (scene.camera.projection != Projection::kCube)
+    if (!projection_of(scene.camera).faces)
         return bad_input(what + "only cubes have faces", "a scene with camera.projection = \"cube\", or no %s");
     if (!options.frames.empty() || options.to_film())
         return bad_input(what + "faces are for one picture only", "no --frames, or no %s");
@@ -52,7 +52,7 @@ CameraSpec face_camera(const CameraSpec& camera, int face) {
 Result<std::string> draw_faces(const PictureOrigin& origin, const Exposure& shown, const CaptureOptions& options,
                                const DrawFace& draw) {
     std::string made_by;
-    for (int face = 0; face < 6; ++face) {
+    for (int face = 0; face < kFacesOfCube; ++face) {
         const auto seen_by = [&](Scene scene) {
             scene.camera = face_camera(scene.camera, face);
             return scene;

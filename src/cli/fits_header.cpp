@@ -1,5 +1,7 @@
 #include "cli/fits_header.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -19,9 +21,10 @@ namespace {
 constexpr double kDegree = 180.0 / M_PI;
 constexpr double kMicroarcsecond_deg = 1e-6 / 3600.0;
 
-// A tangent plane that touches the sphere in `at`, px from the upper left corner.
+// A plane that touches the sphere in `at`, px from the upper left corner.
 struct Plane {
-    std::array<const char*, 2> types;
+    std::array<std::string, 2> types;
+    std::string is;
     std::array<double, 2> at, value_deg, step_deg;
 };
 
@@ -30,7 +33,7 @@ void add_plane(const Plane& plane, int height, FitsHeader& header) {
     const std::array<double, 2> pixel = {plane.at[0] + 0.5, height - plane.at[1] + 0.5};
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const std::string number = axis == 0 ? "1" : "2";
-        header.cards.push_back({"CTYPE" + number, plane.types[axis], "gnomonic: tangents are linear"});
+        header.cards.push_back({"CTYPE" + number, plane.types[axis], plane.is});
         header.cards.push_back({"CUNIT" + number, "deg", ""});
         header.cards.push_back({"CRPIX" + number, pixel[axis], ""});
         header.cards.push_back({"CRVAL" + number, plane.value_deg[axis], ""});
@@ -44,12 +47,24 @@ void add_axis(const CameraSpec& camera, const char* from_to, FitsHeader& header)
     constexpr double kOnAxis = 1e-9;
     const Mat3 axes = static_from_camera(camera);
     const Vec3 hole{-1.0, 0.0, 0.0}, axis{0.0, -1.0, 0.0};  // to the hole, and across that line towards theta = 0
-    const Vec3 ahead = -axes.c;
-    if (std::sin(camera.theta) < kOnAxis || dot(hole, ahead) <= 0.0) return;
-    const auto shift = [&](Vec3 side) {  // of the hole's image, along that axis of the picture
-        return dot(axis, side) * dot(hole, ahead) - dot(hole, side) * dot(axis, ahead);
-    };
-    const double angle = std::fmod(std::atan2(-shift(axes.a), shift(axes.b)) * kDegree + 360.0, 360.0);
+    if (std::sin(camera.theta) < kOnAxis) return;
+    const auto seen = pixel_of(camera, transposed(axes) * hole);
+    if (!seen) return;
+    std::array<double, 2> step{};  // of the hole's image along that axis, px right and down
+    if (projection_of(camera).flat) {
+        const Vec3 ahead = -axes.c;
+        const auto shift = [&](Vec3 side) {
+            return dot(axis, side) * dot(hole, ahead) - dot(hole, side) * dot(axis, ahead);
+        };
+        step = {shift(axes.a), -shift(axes.b)};
+    } else {
+        constexpr double kStep = 1e-6;  // rad
+        const auto on = pixel_of(camera, transposed(axes) * (hole + kStep * axis)),
+                   back = pixel_of(camera, transposed(axes) * (hole - kStep * axis));
+        if (!on || !back) return;
+        step = {((*on)[0] - (*back)[0]) * camera.pixel_aspect, (*on)[1] - (*back)[1]};
+    }
+    const double angle = std::fmod(std::atan2(-step[0], -step[1]) * kDegree + 360.0, 360.0);
     header.cards.push_back({"SPIN_PA", angle, std::string("[deg] axis theta = 0 (spin), ") + from_to});
 }
 
@@ -64,7 +79,9 @@ bool add_sky(const Scene& scene, FitsHeader& header) {
     const KnownObject* known = known_object(scene.object.name);
     const SkyPlace place = known != nullptr && known->place ? *known->place : SkyPlace{0.0, 0.0};
     const double step = scale->length_per_px() / *microarcsecond;
-    add_plane({{"RA---TAN", "DEC--TAN"},
+    const ProjectionRow& row = projection_of(scene.camera);
+    add_plane({{fmt::format("RA---{}", row.fits), fmt::format("DEC--{}", row.fits)},
+               std::string(row.fits_is),
                *centre,
                {place.right_ascension_deg, place.declination_deg},
                {-step * kMicroarcsecond_deg, step * kMicroarcsecond_deg}},
@@ -81,7 +98,12 @@ bool add_sky(const Scene& scene, FitsHeader& header) {
 
 void add_camera_plane(const CameraSpec& camera, FitsHeader& header) {
     const double step = camera.pixel() * kDegree;
-    add_plane({{"CALN-TAN", "CALT-TAN"}, line_of_sight(camera), {0.0, 0.0}, {step * camera.pixel_aspect, step}},
+    const ProjectionRow& row = projection_of(camera);
+    add_plane({{fmt::format("CALN-{}", row.fits), fmt::format("CALT-{}", row.fits)},
+               std::string(row.fits_is),
+               line_of_sight(camera),
+               {0.0, 0.0},
+               {step * camera.pixel_aspect, step}},
               camera.height, header);
     add_axis(camera, "up to left", header);
     header.comments.emplace_back("Angles are the camera's own, about its line of sight:");
@@ -110,8 +132,8 @@ void add_metric(const SpacetimeSpec& spec, FitsHeader& header) {
 
 void add_coordinates(const Scene& scene, bool several, FitsHeader& header) {
     const CameraSpec& camera = scene.camera;
-    if (several || camera.projection != Projection::kPinhole || !camera.warp.empty()) {
-        header.comments.emplace_back("No coordinates: not the picture of one pinhole camera.");
+    if (several || projection_of(camera).fits.empty() || !camera.warp.empty()) {
+        header.comments.emplace_back("No coordinates: two pictures, a mesh, or a projection without a code.");
         return;
     }
     if (!add_sky(scene, header)) add_camera_plane(camera, header);

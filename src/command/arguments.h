@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "base/text.h"
 #include "scene/picture_size.h"
+#include "scene/projection.h"
 #include "scenefile/scene_file.h"
 
 namespace nullscope::cli {
@@ -23,7 +24,7 @@ inline Result<Size> parse_size(const std::string& text) {
 inline Result<Scene> sized(Scene scene, const std::string& size_text) {
     if (size_text.empty()) return scene;
     TRY(size, parse_size(size_text));
-    if (scene.camera.projection == Projection::kCube && !holds_cube(size->width, size->height))
+    if (projection_of(scene.camera).faces && !holds_cube(size->width, size->height))
         return bad_input(
             fmt::format("--size {}: {} x {} px do not hold a cube's faces", size_text, size->width, size->height),
             fmt::format("{}, {}", cube_size_words(size->width, size->height, "x"), kCubeSizes));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shaderlib/preprocess.h"
+#include "shaderlib/projection_text.h"
 
 namespace {
 
@@ -35,9 +36,7 @@ std::vector<std::string> block_names(const std::string& block) {
 // The code of discs and of all projections is always compiled, and that of rays that pass the critical direction: where they end in a horizon
 // they fetch nothing.
 std::vector<Variant> variants(const std::string& block) {
-    std::vector<std::string> always = {"__cplusplus",        "EFFECT_DISC",
-                                       "EFFECT_FISHEYE",     "EFFECT_EQUIRECTANGULAR",
-                                       "EFFECT_CYLINDRICAL", "EFFECT_CUBE_FACES"};
+    std::vector<std::string> always = {"__cplusplus", "EFFECT_DISC"};
     for (std::string& name : block_names(block)) always.push_back(std::move(name));  // FrameData has all members
     std::vector<Variant> all;
     for (const char* name : {"flat", "lensed", "cubic"}) {
@@ -109,6 +108,11 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "core texts: no shaders/%s\n", std::string(name).c_str());
         std::exit(1);
     };
+    std::vector<Projection> wide;
+    for (int i = 1; i < kProjections; ++i) wide.push_back(static_cast<Projection>(i));
+    const ProjectionText projection = projection_text(wide);
+    files["generated/projection"] = projection.files;
+    files["generated/projection_view"] = projection.view;
     std::string all;
     for (const Variant& variant : variants(std::string(read("shared/frame_block.glsl")))) {
         path = variant.path;

@@ -39,7 +39,7 @@ public:
 private:
     Point point(double angle) const {
         const Vec3 d = light_.direction(angle);
-        const bool before = camera_.projection != Projection::kPinhole || -d.z > kBefore;
+        const bool before = !projection_of(camera_).flat || -d.z > kBefore;
         const auto seen = before ? pixel_of(camera_, d) : std::nullopt;
         return seen ? Point{angle, d, true, (*seen)[0], (*seen)[1]} : Point{angle, d, false, 0.0, 0.0};
     }

@@ -31,7 +31,7 @@ std::optional<std::array<double, 2>> centre_px(const Spacetime& spacetime, const
 }
 
 std::optional<PictureScale> picture_scale(const Spacetime& spacetime, const CameraSpec& camera) {
-    if (camera.projection != Projection::kPinhole || camera.pixel_aspect != 1.0) return std::nullopt;
+    if (!projection_of(camera).flat || camera.pixel_aspect != 1.0) return std::nullopt;
     if (!has_scale(spacetime) || !at_rest(camera) || !(camera.r >= kLeastScaleRadius)) return std::nullopt;
     if (std::cos(camera.yaw) * std::cos(camera.pitch) < std::cos(kMostAside)) return std::nullopt;
     return PictureScale{std::sqrt(spacetime.lapse_squared(camera.r)) / spacetime.areal_radius(camera.r),

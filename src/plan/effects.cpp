@@ -1,12 +1,15 @@
 #include "plan/effects.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <deque>
 #include <utility>
 
 #include "plan/body_kind.h"
 #include "plan/feature.h"
 #include "plan/medium_model.h"
+#include "scene/projection_table.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -16,8 +19,8 @@ namespace {
 const std::array<const Feature*, kEffectCount>& features() {
     static const auto all = [] {
         std::array<const Feature*, kEffectCount> list{};
-        for (const auto group :
-             {light_features(), disc_features(), bodies_features(), medium_features(), picture_features()})
+        for (const auto group : {light_features(), disc_features(), bodies_features(), medium_features(),
+                                 picture_features(), projection_features()})
             for (const Feature& feature : group) list[static_cast<std::size_t>(feature.effect)] = &feature;
         for (const Feature* feature : list)
             if (feature == nullptr) std::abort();  // an enumerator without a Feature
@@ -26,11 +29,17 @@ const std::array<const Feature*, kEffectCount>& features() {
     return all;
 }
 
-// Rays outside of the horizon, to one sky, that turn smoothly with the pixel: at a cube's and a mesh's edges they do not.
+// What a pixel and the one beside it see may be far apart: at a cube's and a mesh's edges.
+bool has_edges(const EffectSet& effects) {
+    const auto has_faces = [](Projection projection) { return projection_row(projection).faces; };
+    return effects.contains(Effect::kWarp) || std::ranges::any_of(projections_of(effects), has_faces);
+}
+
+// Rays outside of the horizon, to one sky, that turn smoothly with the pixel.
 bool ends_are_plain(const EffectSet& effects) {
-    if (has_medium(effects)) return false;
-    for (const Effect effect : {Effect::kCubeFaces, Effect::kWarp, Effect::kSpinFall, Effect::kSides, Effect::kInner,
-                                Effect::kBounce, Effect::kFarSky, Effect::kStar})
+    if (has_medium(effects) || has_edges(effects)) return false;
+    for (const Effect effect :
+         {Effect::kSpinFall, Effect::kSides, Effect::kInner, Effect::kBounce, Effect::kFarSky, Effect::kStar})
         if (effects.contains(effect)) return false;
     return effects.contains(Effect::kLensing) || effects.contains(Effect::kSpin);
 }
@@ -40,6 +49,11 @@ bool ends_are_plain(const EffectSet& effects) {
 const Feature& feature_of(Effect effect) { return *features()[static_cast<std::size_t>(effect)]; }
 const EffectRow& effect_row(Effect effect) { return feature_of(effect); }
 std::vector<const EffectRow*> effect_rows() { return {features().begin(), features().end()}; }
+
+std::string_view kept(std::string text) {
+    static std::deque<std::string> texts;
+    return texts.emplace_back(std::move(text));
+}
 
 std::vector<Effect> EffectSet::list() const {
     std::vector<Effect> effects;
@@ -76,7 +90,7 @@ bool has_tiles(const EffectSet& effects) {
     if (has_medium(effects)) return false;  // nor do they of matter
     // Rays of tiles know nothing of the swings that a zoom leaves out.
     if (effects.contains(Effect::kSpinRing) && effects.contains(Effect::kZoom)) return false;
-    if (effects.contains(Effect::kCubeFaces) || effects.contains(Effect::kWarp)) return false;
+    if (has_edges(effects)) return false;
     return has_marched(effects) && !effects.contains(Effect::kSides) && !effects.contains(Effect::kSpinFall);
 }
 bool tiles_classify_disc(const EffectSet& effects) {
@@ -88,9 +102,11 @@ bool tiles_classify_full_disc(const EffectSet& effects) {
 bool interpolates(const EffectSet& effects) {
     return light_path_kind(effects) == LightPathKind::kMino && ends_are_plain(effects);
 }
-bool has_projection(const EffectSet& effects) {
-    return effects.contains(Effect::kFisheye) || effects.contains(Effect::kEquirectangular) ||
-           effects.contains(Effect::kCylindrical) || effects.contains(Effect::kCubeFaces);
+std::vector<Projection> projections_of(const EffectSet& effects) {
+    std::vector<Projection> found;
+    for (int i = 1; i < kProjections; ++i)
+        if (const auto one = static_cast<Projection>(i); effects.contains(projection_effect(one))) found.push_back(one);
+    return found;
 }
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool uses_black_body(const EffectSet& effects) {

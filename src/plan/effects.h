@@ -66,11 +66,8 @@ enum class Effect {
     kZoom,
     kSpinRing,
     kSpinNear,
-    kFisheye,
-    kEquirectangular,
-    kCylindrical,
-    kCubeFaces,
-    kWarp,
+    kProjectionFirst,  // one for each Projection but the pinhole: projection_effect()
+    kWarp = kProjectionFirst + kProjections - 1,
     kMediumFirst,  // one for each MediumKind: medium_effect()
     kMediumMotion = kMediumFirst + kMediumKinds,
     kMediumBlackBody,
@@ -80,6 +77,10 @@ enum class Effect {
 // That there is a medium of a kind.
 constexpr Effect medium_effect(MediumKind kind) {
     return static_cast<Effect>(static_cast<int>(Effect::kMediumFirst) + static_cast<int>(kind));
+}
+// That the camera has a projection, which is no pinhole.
+constexpr Effect projection_effect(Projection projection) {
+    return static_cast<Effect>(static_cast<int>(Effect::kProjectionFirst) + static_cast<int>(projection) - 1);
 }
 inline constexpr auto kEffectCount = static_cast<std::size_t>(Effect::kEnd);
 
@@ -102,6 +103,8 @@ struct EffectRow {
     std::string_view cost;    // work that it adds; its tables and textures are those of render/frame_textures.h
     SlotPart part = {};       // of an effect that stands in a slot: all that the shader has of it
 };
+
+std::string_view kept(std::string text);  // for the views of rows: as long as the program runs
 
 // In the order of the enumerators.
 const EffectRow& effect_row(Effect effect);
@@ -146,13 +149,13 @@ bool tiles_classify_full_disc(const EffectSet& effects);
 bool interpolates(const EffectSet& effects);
 bool has_marched(
     const EffectSet& effects);  // bodies that are found by steps: all but the sphere, and that about a rotating hole
-bool has_projection(const EffectSet& effects);   // other than the pinhole
-bool has_solids(const EffectSet& effects);       // any solid body
-bool has_medium(const EffectSet& effects);       // matter along rays
-bool uses_black_body(const EffectSet& effects);  // in the picture's shader: the table of their light
-bool takes_samples(const EffectSet& effects);    // pixels with several rays each
-bool meets_objects(const EffectSet& effects);    // anything that needs positions along rays: ray ends, orbit table
-bool moves(const EffectSet& effects);            // a body whose place or shape depends on time
+std::vector<Projection> projections_of(const EffectSet& effects);  // other than the pinhole
+bool has_solids(const EffectSet& effects);                         // any solid body
+bool has_medium(const EffectSet& effects);                         // matter along rays
+bool uses_black_body(const EffectSet& effects);                    // in the picture's shader: the table of their light
+bool takes_samples(const EffectSet& effects);                      // pixels with several rays each
+bool meets_objects(const EffectSet& effects);  // anything that needs positions along rays: ray ends, orbit table
+bool moves(const EffectSet& effects);          // a body whose place or shape depends on time
 
 struct EffectReason {
     Effect effect;

@@ -62,6 +62,7 @@ std::span<const Feature> disc_features();
 std::span<const Feature> bodies_features();
 std::span<const Feature> medium_features();
 std::span<const Feature> picture_features();
+std::span<const Feature> projection_features();
 const Feature& feature_of(Effect effect);
 
 // Parts of examples.

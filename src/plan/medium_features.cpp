@@ -2,18 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
 
 #include "plan/feature.h"
 #include "plan/medium.h"
 #include "plan/medium_model.h"
 
 namespace nullscope {
-
-std::string_view kept(std::string text) {
-    static std::deque<std::string> texts;
-    return texts.emplace_back(std::move(text));
-}
 
 std::string_view kinds_with(unsigned share) {
     std::vector<std::string> words;

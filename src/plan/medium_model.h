@@ -78,7 +78,6 @@ bool shared(const Scene& scene) {
     return has_share(scene, share);
 }
 std::string_view kinds_with(unsigned share);
-std::string_view kept(std::string text);  // for the views of a SceneKey
 
 // Parts of examples.
 inline void massive_hole(Scene& s) {

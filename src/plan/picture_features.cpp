@@ -14,17 +14,6 @@ constexpr KeyRange kSamples{1.0, 16.0};
 const char* name_of(SkyKind kind) { return kSkyKindNames[static_cast<int>(kind)]; }
 std::string sky_words(const FrameFacts& f) { return fmt::format("sky.kind = \"{}\"", name_of(f.scene.sky.kind)); }
 
-template <Projection projection>
-Reason projection_is(const FrameFacts& f) {
-    return reason_if(f.scene.camera.projection == projection,
-                     fmt::format("camera.projection = \"{}\"", projection_name(projection)));
-}
-template <Projection projection>
-void set_projection(Scene& s) {
-    s.camera.projection = projection;
-    set_field_of_view(s.camera, usual_field_of_view(projection));
-}
-
 }  // namespace
 
 std::span<const Feature> picture_features() {
@@ -162,32 +151,6 @@ std::span<const Feature> picture_features() {
                      "Whether pixels that differ much from a neighbour are drawn again with more rays: edges and thin "
                      "lines become smooth. Where picture.samples is 1.",
                      [](auto& s) { return &s.picture.refine; })}},
-        {{Effect::kFisheye, "fisheye", "EFFECT_FISHEYE", "The camera has a fisheye lens, as for a dome.",
-          "camera.projection is \"fisheye\"", "sine and cosine a pixel"},
-         projection_is<Projection::kFisheye>,
-         set_projection<Projection::kPinhole>,
-         nothing,
-         set_projection<Projection::kFisheye>},
-        {{Effect::kEquirectangular, "equirectangular", "EFFECT_EQUIRECTANGULAR",
-          "The picture has longitude and latitude, all round the camera.", "camera.projection is \"equirectangular\"",
-          "two sines and cosines a pixel"},
-         projection_is<Projection::kEquirectangular>,
-         set_projection<Projection::kPinhole>,
-         nothing,
-         set_projection<Projection::kEquirectangular>},
-        {{Effect::kCylindrical, "cylindrical", "EFFECT_CYLINDRICAL", "The picture lies on a cylinder round the camera.",
-          "camera.projection is \"cylindrical\"", "sine and cosine a pixel"},
-         projection_is<Projection::kCylindrical>,
-         set_projection<Projection::kPinhole>,
-         nothing,
-         set_projection<Projection::kCylindrical>},
-        {{Effect::kCubeFaces, "cube-faces", "EFFECT_CUBE_FACES",
-          "The picture is the six faces of a cube round the camera.", "camera.projection is \"cube\"",
-          "a choice among six a pixel"},
-         projection_is<Projection::kCube>,
-         set_projection<Projection::kPinhole>,
-         nothing,
-         set_projection<Projection::kCube>},
         {{Effect::kWarp, "warp", "EFFECT_WARP", "A mesh lays the picture out anew, for a mirror or a curved screen.",
           "there is a camera.warp", "the mesh's cell and triangle, looked up a ray; no tiles"},
          [](const FrameFacts& f) {
@@ -200,8 +163,8 @@ std::span<const Feature> picture_features() {
          nullptr,
          {{"camera", "warp", KeyType::kFile, "", "", kNoRange, "warp mesh",
            "Warp mesh in Paul Bourke's format, for mirror domes and curved screens.",
-           [](auto& s) { return &s.camera.warp; },
-           [](const Scene& s) { return s.camera.projection != Projection::kCube; }, "a projection that is no cube"}}},
+           [](auto& s) { return &s.camera.warp; }, [](const Scene& s) { return !projection_of(s.camera).faces; },
+           "a projection that is no cube"}}},
     });
     return features;
 }

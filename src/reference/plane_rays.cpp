@@ -289,7 +289,7 @@ std::optional<std::array<double, 2>> PlaneRays::position(Vec3 view) const {
         return -e[0] - view.x * e[1] - view.y * e[2] - view.z * e[3];
     };
     const long double ahead = -product(3) / product(0);  // the third axis points backward
-    if (camera_.projection != Projection::kPinhole || !camera_.warp.empty())
+    if (!projection_of(camera_).flat || !camera_.warp.empty())
         return pixel_of(camera_, {static_cast<double>(product(1) / product(0)),
                                   static_cast<double>(product(2) / product(0)), static_cast<double>(-ahead)});
     if (!(ahead > 0)) return std::nullopt;

@@ -163,8 +163,8 @@ void add_point_stars(const FrameTracer& tracer, const Scene& scene, const std::v
             const Vec3 peak = point_peak() * through / image.solid_angle * star_light(stars[i], image.g, scene.light);
             const int face = cube_face(scene.camera, image.x, image.y);
             spots[i].push_back({image.x, image.y, peak, face});
-            if (scene.camera.projection != Projection::kCube) continue;
-            for (int other = 0; other < 6; ++other)  // the rim of its light on the faces beside it
+            if (!projection_of(scene.camera).faces) continue;
+            for (int other = 0; other < kFacesOfCube; ++other)  // the rim of its light on the faces beside it
                 if (const auto seen =
                         pixel_on_face(scene.camera, other, pixel_direction(scene.camera, image.x, image.y));
                     seen && other != face)

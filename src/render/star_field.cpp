@@ -4,6 +4,7 @@
 
 #include "base/assets.h"
 #include "render/frame_tables.h"
+#include "scene/projection_table.h"
 #include "scene/warp_mesh.h"
 
 namespace nullscope {
@@ -65,8 +66,8 @@ void StarField::find_images(const Scene& scene, const FrameTables& tables, const
 
 void StarField::draw(const gl::Program& program, unsigned framebuffer, int width, int height, int images,
                      Projection projection) const {
-    const bool round = projection == Projection::kEquirectangular || projection == Projection::kCylindrical;
-    const int copies = projection == Projection::kCube ? 6 : round && !searches() ? 2 : 1;
+    const ProjectionRow& row = projection_row(projection);
+    const int copies = row.faces ? kFacesOfCube : row.round && !searches() ? 2 : 1;
     for (int image = 0; image < images; ++image) {
         gl::set_integer(program, "image_order", image);
         gl::draw_points(program, vertices_, vertices_.count, copies, framebuffer, width, height, kPointMargin_px);

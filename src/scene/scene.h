@@ -11,6 +11,7 @@
 #include "base/vec.h"
 #include "scene/known_object.h"
 #include "scene/medium_spec.h"
+#include "scene/projection_kind.h"
 #include "spacetime/metric_parameters.h"
 
 namespace nullscope {
@@ -31,11 +32,6 @@ struct ZoomSpec {
     double angle = 0.0;  // along the ring, CriticalLight's psi: 0 is left of the hole, pi/2 above it
     friend bool operator==(const ZoomSpec&, const ZoomSpec&) = default;
 };
-
-// How directions are laid out in the picture (scene/projection.h).
-enum class Projection { kPinhole, kFisheye, kEquirectangular, kCylindrical, kCube };
-inline constexpr const char* kProjectionNames[] = {"pinhole", "fisheye", "equirectangular", "cylindrical", "cube"};
-inline const char* projection_name(Projection projection) { return kProjectionNames[static_cast<int>(projection)]; }
 
 // Pictures for two eyes, which lie eye_distance apart along the camera's right axis and look the same way (scene/stereo.h). kPair: two
 // pictures side by side, the left eye's first. kAllRound: omnidirectional stereo, of equirectangular pictures: in every column the eyes
@@ -61,7 +57,7 @@ struct CameraSpec {
     double fall_from = 1e6;  // kFall: radius of rest, r_s
     double energy = 1.0;     // kThrow: per rest mass, > 0
     Vec3 velocity{0, 0, 0};  // of the camera in the observer's frame, components along (e_r, e_theta, e_phi), |v| < 1
-    Projection projection = Projection::kPinhole;
+    Projection projection = Projection::kPinhole;  // how directions are laid out in the picture (scene/projection.h)
     // Pinhole: width of the projection plane and its distance, fov = 2 atan(plane_width / 2 focal_distance), 60 degrees. Others: the
     // angle that the picture spans, rad, across its width, of a fisheye across its smaller side; and 1. Cube: 6, three faces, and 1.
     double plane_width = 1.1547005383792517;
@@ -79,11 +75,7 @@ struct CameraSpec {
     int whole_width() const { return part ? part->width : width; }
     int whole_height() const { return part ? part->height : height; }
     // Tangent, of other projections than the pinhole angle, of the height of one in the middle, in a zoom too; 0 from a depth of some 700 on.
-    double pixel() const {
-        const double across = whole_width() * pixel_aspect,
-                     side = projection == Projection::kFisheye ? std::fmin(across, whole_height()) : across;
-        return plane_width / side / focal_distance * (zoom ? std::exp(-zoom->depth) : 1.0);
-    }
+    double pixel() const;
     friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
 };
 

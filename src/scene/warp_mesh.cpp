@@ -9,6 +9,7 @@
 #include "base/csv.h"
 #include "base/file_cache.h"
 #include "base/text.h"
+#include "scene/projection.h"
 
 namespace nullscope {
 namespace {
@@ -263,11 +264,9 @@ void WarpMesh::find_least_area() {
 
 std::array<double, 2> input_half(const CameraSpec& camera) {
     const double aspect = camera.whole_width() * camera.pixel_aspect / camera.whole_height();
-    switch (camera.projection) {
-        case Projection::kFisheye: return {std::min(aspect, 1.0), std::min(aspect, 1.0)};
-        case Projection::kEquirectangular: return {aspect, 0.5 * aspect};
-        default: return {aspect, 1.0};
-    }
+    const ProjectionRow& row = projection_of(camera);
+    if (row.circle) return {std::min(aspect, 1.0), std::min(aspect, 1.0)};
+    return {aspect, row.mesh_aspect > 0.0 ? aspect / row.mesh_aspect : 1.0};
 }
 
 namespace {

@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "observer/observer.h"
 #include "observer/path.h"
+#include "scene/projection.h"
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_value.h"
@@ -230,7 +231,7 @@ std::vector<std::string> columns_of(const std::vector<PathKey>& keys, PathPlaces
     const CameraSpec& first = keys.front().camera;
     const bool by_plane =
         std::ranges::any_of(keys, [](const PathKey& key) { return key.camera.focal_distance != 1.0; });
-    if (first.projection != Projection::kCube && !by_plane) columns.emplace_back("fov");
+    if (!projection_of(first).faces && !by_plane) columns.emplace_back("fov");
     Scene meaning;
     meaning.camera = first;
     for (const auto name : kKeyColumns) {

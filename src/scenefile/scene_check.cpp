@@ -20,6 +20,7 @@
 #include "scene/picture_size.h"
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
+#include "scenefile/projection_words.h"
 #include "scenefile/scene_value.h"
 #include "scenefile/sections.h"
 #include "spacetime/circular_orbit.h"
@@ -94,16 +95,22 @@ Faults check_lens(const Scene& scene) {
     const CameraSpec& camera = scene.camera;
     const char *fov = "camera.fov", *projection = "camera.projection";
     Faults faults;
-    if (camera.projection == Projection::kPinhole) {
+    const ProjectionRow& row = projection_of(camera);
+    if (row.flat) {
         if (camera.plane_width > 0.0 && std::isfinite(camera.plane_width) && camera.plane_width < kWidestPlane)
             return {};
         return {{fov, "too wide for a pinhole", "(0, 180), or another projection", fov}};
     }
-    if (camera.projection == Projection::kCube) append(faults, check_cube(camera));
+    if (row.faces) append(faults, check_cube(camera));
     if (!faults.empty()) return faults;
-    if (camera.projection != Projection::kCube && camera.plane_width < (1.0 - 1e-12) * kNarrowestWide)
-        return {{fov, fmt::format("too narrow for projection = \"{}\"", projection_name(camera.projection)),
-                 "[10, 360], or projection = \"pinhole\"", fov}};
+    if (!row.faces && !row.field.contains(camera.plane_width)) {
+        ProjectionWords range;
+        range.add_range(row.field);
+        return {{fov,
+                 fmt::format("too {} for projection = \"{}\"", camera.plane_width < row.field.usual ? "narrow" : "wide",
+                             row.name),
+                 fmt::format("{}, or projection = \"pinhole\"", range.view()), fov}};
+    }
     if (camera.zoom)
         return {
             {projection, "[zoom] requires projection = \"pinhole\"", "pinhole where there is a [zoom]", projection}};
@@ -315,7 +322,7 @@ Faults of_right_half(Faults faults) {
 }  // namespace
 
 void settle_size(Scene& scene, const GivenKeys& given) {
-    if (scene.camera.projection == Projection::kCube && !given("camera.size"))
+    if (projection_of(scene.camera).faces && !given("camera.size"))
         scene.camera.width = kCubeWidth, scene.camera.height = kCubeWidth / 3 * 2;
 }
 

@@ -10,6 +10,7 @@
 #include "plan/feature.h"
 #include "scene/projection.h"
 #include "scenefile/body_keys.h"
+#include "scenefile/projection_words.h"
 #include "scenefile/sections.h"
 
 namespace nullscope {
@@ -59,9 +60,9 @@ template <SkyKind kind>
 bool sky_is(const Scene& s) {
     return s.sky.kind == kind;
 }
-bool is_pinhole(const Scene& s) { return s.camera.projection == Projection::kPinhole; }
+bool is_flat(const Scene& s) { return projection_of(s.camera).flat; }
 bool has_eyes(const Scene& s) { return s.camera.stereo != Stereo::kOff; }
-bool has_fov(const Scene& s) { return s.camera.projection != Projection::kCube; }
+bool has_fov(const Scene& s) { return !projection_of(s.camera).faces; }
 bool far_is_nebula(const Scene& s) { return s.far_sky.kind == SkyKind::kNebula; }
 bool has_caps(const Scene& s) { return s.sky.mapping == SkyMapping::kBandAndCaps; }
 template <PathKind kind>
@@ -137,21 +138,15 @@ constexpr SceneKey kKeys[] = {
     {"camera", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNoRange, "",
      "Velocity in the observer's frame along (e_r, e_theta, e_phi): outward, southward, towards growing phi.",
      [](auto& s) { return &s.camera.velocity; }},
-    {"camera", "projection", KeyType::kChoice, "", "pinhole", kNoRange,
-     "pinhole fisheye equirectangular cylindrical cube",
-     "How directions are laid out: pinhole; fisheye (azimuthal equidistant, a dome master where the picture is "
-     "square); equirectangular (longitude and latitude); cylindrical; cube (six faces, left, ahead, right above down, "
-     "behind, up).",
-     kProjection},
-    {"camera", "fov", KeyType::kNumber, "deg", "60", kFov, "",
-     "Horizontal field of view, of a fisheye across the smaller side of the picture. Below 180 for a pinhole, from 10 "
-     "on for others, whose defaults are 180 (fisheye) and 360.",
-     kFieldOfView, has_fov, "a projection that is no cube"},
+    {"camera", "projection", KeyType::kChoice, "", "pinhole", kNoRange, kProjectionChoices.view(),
+     kProjectionHelp.view(), kProjection},
+    {"camera", "fov", KeyType::kNumber, "deg", "60", kFov, "", kFieldOfViewHelp.view(), kFieldOfView, has_fov,
+     "a projection that is no cube"},
     {"camera", "plane_width", KeyType::kNumber, "", "1.1547", kPlane, "",
      "Width of a pinhole's projection plane, in the unit of focal_distance; instead of fov.",
-     [](auto& s) { return &s.camera.plane_width; }, is_pinhole, "projection = \"pinhole\""},
+     [](auto& s) { return &s.camera.plane_width; }, is_flat, "projection = \"pinhole\""},
     {"camera", "focal_distance", KeyType::kNumber, "", "1", kPlane, "", "Distance of that plane from the focal point.",
-     [](auto& s) { return &s.camera.focal_distance; }, is_pinhole, "projection = \"pinhole\""},
+     [](auto& s) { return &s.camera.focal_distance; }, is_flat, "projection = \"pinhole\""},
     {"camera", "shift_x", KeyType::kNumber, "", "0", kShift, "",
      "How far the picture's middle lies to the right of the line of sight, in widths of the picture: an off-axis "
      "camera.",
@@ -382,8 +377,8 @@ std::span<const SceneKey> scene_keys() {
     static const std::vector<SceneKey> keys = [] {
         std::vector<SceneKey> all(std::begin(kKeys), std::end(kKeys));
         append_body_keys(all);
-        for (const auto group :
-             {light_features(), disc_features(), bodies_features(), medium_features(), picture_features()})
+        for (const auto group : {light_features(), disc_features(), bodies_features(), medium_features(),
+                                 picture_features(), projection_features()})
             for (const Feature& feature : group) all.insert(all.end(), feature.keys.begin(), feature.keys.end());
         for (const Section& section : sections()) all.insert(all.end(), section.keys.begin(), section.keys.end());
         return all;

@@ -60,7 +60,7 @@ std::string exact_angle_text(double radians) {
 
 // A pinhole's: if a number of degrees gives it. exact: else that number may be off by a rounding.
 std::optional<std::string> fov_text(const CameraSpec& camera, bool exact) {
-    if (camera.projection != Projection::kPinhole)
+    if (!projection_of(camera).flat)
         return exact ? exact_angle_text(camera.plane_width) : degrees_text(camera.plane_width);
     return shortest(camera.plane_width, 2.0 * std::atan(0.5 * camera.plane_width) * 180.0 / std::numbers::pi,
                     [](double d) { return 2.0 * std::tan(0.5 * (d * std::numbers::pi / 180.0)); });

@@ -12,6 +12,7 @@
 #include "plan/medium_model.h"
 #include "shaderlib/embedded.h"
 #include "shaderlib/preprocess.h"
+#include "shaderlib/projection_text.h"
 #include "shaderlib/slots.h"
 
 namespace nullscope {
@@ -71,7 +72,7 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
                                           {model->traits.any_density, "MEDIUM_ANY_DENSITY"}})
             if (has) defines.emplace_back(define);
     }
-    if (has_projection(effects)) defines.emplace_back("BLOCK_PROJECTION");
+    if (!projections_of(effects).empty()) defines.emplace_back("BLOCK_PROJECTION");
     if (has_marched(effects)) defines.emplace_back("BLOCK_MARCH");
     if (has_marched(effects) && light_path_kind(effects) == LightPathKind::kPlanar && !effects.contains(Effect::kSides))
         defines.emplace_back("MARCH_PASSES");
@@ -157,6 +158,8 @@ std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Ou
         if (effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
     }
     if (list) defines.emplace_back("RAYS_OF_A_LIST");
+    if (stage == Stage::kStars && light_path_kind(effects) == LightPathKind::kPlanar)
+        defines.emplace_back("NEEDS_VIEW_PLACE");
     if (stage == Stage::kRayDepth && has_medium(effects)) defines.emplace_back("MEDIUM_MEAN");
     if (list && effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
     if (no_bodies) std::erase(defines, "NEEDS_PLACE");
@@ -220,7 +223,11 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
     if (const MediumModel* model = model_of(effects);
         model != nullptr && !model->traits.turn && (model->shares & kWarmth) != 0 && bodies.law_by_place)
         defines.emplace_back("MEDIUM_TURN");
+    ProjectionText projection = projection_text(projections_of(effects));
     std::map<std::string_view, std::string> generated = {
+        {"generated/projection", std::move(projection.files)},
+        {"generated/projection_view", std::move(projection.view)},
+        {"generated/projection_place", std::move(projection.place)},
         {"generated/method", method_text(method, metric)},
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},
         {"generated/constants", fmt::format("#define METER_KEY {}\n", kMeterKey)},

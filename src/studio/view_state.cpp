@@ -145,19 +145,19 @@ void keep_outside_horizon(Scene& scene) {
 }
 
 void set_fov(CameraSpec& camera, double fov) {
-    constexpr double kDegree = std::numbers::pi / 180.0;
-    if (camera.projection == Projection::kPinhole) fov = std::clamp(fov, 1.0 * kDegree, 170.0 * kDegree);
-    set_exact_fov(camera, fov);
+    const FieldOfView& field = projection_of(camera).field;
+    set_exact_fov(camera, std::clamp(fov, field.steered_least, field.steered_most));
 }
 
 void set_exact_fov(CameraSpec& camera, double fov) {
-    if (camera.projection == Projection::kCube) return;
-    if (camera.projection != Projection::kPinhole) {
-        camera.plane_width = std::clamp(fov, kNarrowestWide, 2.0 * std::numbers::pi);
+    const ProjectionRow& row = projection_of(camera);
+    if (row.faces) return;
+    if (!row.flat) {
+        camera.plane_width = std::clamp(fov, row.field.least, row.field.below ? row.field.steered_most : row.field.most);
         return;
     }
     const KeyRange widths = key_range("camera.plane_width");
-    const double width = fov < std::numbers::pi ? 2.0 * camera.focal_distance * std::tan(0.5 * fov) : widths.high;
+    const double width = fov < row.field.most ? camera.focal_distance * row.width(fov) : widths.high;
     camera.plane_width = std::clamp(width, widths.low, widths.high);
 }
 

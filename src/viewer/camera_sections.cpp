@@ -135,9 +135,10 @@ bool boost_section(ViewState& view) {
 bool lens_section(ViewState& view) {
     CameraSpec& camera = view.scene.camera;
     double fov = field_of_view(camera);
-    const bool pinhole = camera.projection == Projection::kPinhole;
+    constexpr double kDegrees = 180.0 / M_PI;
+    const FieldOfView& field = projection_of(camera).field;
     const bool zoomed = slide_key_degrees(
-        "camera.fov", "View", fov, pinhole ? 1.0 : 10.0, pinhole ? 170.0 : 360.0,
+        "camera.fov", "View", fov, field.steered_least * kDegrees, field.steered_most * kDegrees,
         "Horizontal field of view, of a pinhole below 180 degrees. Shift and the wheel change it too.");
     if (zoomed) set_exact_fov(camera, fov);
     return slide_key("camera.exposure", "Exposure", camera.exposure_ev, -10.0, 10.0, "%+.2f EV",

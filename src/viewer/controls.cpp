@@ -35,11 +35,11 @@ void store_orientation(const Mat3& world_from_camera, CameraSpec& camera) {
     set_axes(camera, transposed(world_from_static(camera.theta, camera.phi)) * world_from_camera);
 }
 
-// By a factor on the field of view, of a pinhole on its tangent.
+// By a factor on the picture's width: of a pinhole that is a tangent's, of others the field of view.
 void zoom_lens(CameraSpec& camera, double factor) {
     const double fov = field_of_view(camera);
-    const bool pinhole = camera.projection == Projection::kPinhole;
-    set_fov(camera, pinhole ? 2.0 * std::atan(std::tan(0.5 * fov) * factor) : factor * fov);
+    const ProjectionRow& row = projection_of(camera);
+    set_fov(camera, row.width != nullptr ? row.field_of_width(row.width(fov) * factor) : factor * fov);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 """The kinds of a scene that tests/cli/test_matrix.py combines: a few values of everything that a scene file chooses, each as the sections
 that it adds. Every thing is seen by every camera, and differs from every sky."""
 import math
+import pathlib
+import re
 
 from image_bytes import png
 
@@ -91,6 +93,9 @@ PROJECTIONS = {
     "cylindrical": ({"projection": "cylindrical", "fov": 160.0}, (32, 18)), "cube": ({"projection": "cube"}, (48, 32)),
     "warp": ({"fov": 90.0, "warp": "bent.data"}, (32, 18)),
 }
+# And each other of scene files.
+DOCUMENTED = re.search(r"\| `camera\.projection` \|[^|]*\|[^|]*\| ([^|]+) \|", (pathlib.Path(__file__).parents[2] / "docs/scenes.md").read_text())[1]
+PROJECTIONS |= {name: ({"projection": name, "fov": 150.0}, (32, 18)) for name in re.split(", | or ", DOCUMENTED) if name not in PROJECTIONS}
 
 SKIES = {
     "black": {"kind": "black"}, "plain": {"kind": "plain", "colour": [0.1, 0.2, 0.3]},

@@ -49,10 +49,7 @@ WORDS = {
     "spin-ring": [r"ring_(?:barrier|peak|force|offset|settling|leaves)\w*", r"RingBarrier"],
     "spin-near": [r"near_(?:above|below|x|force|fine|log|turn)", r"NearHorizon", r"spin_near\w*"],
     "zoom": [r"ring_part", r"polar_(?:length|weight)", r"frame\.ring"],
-    "fisheye": [r"fisheye_view"],
-    "equirectangular": [r"equirectangular_view"],
-    "cylindrical": [r"cylindrical_view"],
-    "cube-faces": [r"faces_view", r"face_(?:of|middle)", r"on_face"],
+    "cube-faces": [r"cube_(?:view|place)", r"face_(?:of|middle)", r"on_face"],
     "warp": [r"warp_\w+", r"WarpPlace", r"WarpNode", r"pixel_share", r"frame\.warp"],
     "refine": [r"edge_(?:shown|value)"],
     "star": [r"star_(?:surface|square)\w*"],
@@ -122,8 +119,6 @@ SCENES = {
     "no spin": '[spacetime]\nmetric = "kerr"\nspin = 0.0\n[disc]\n',
     "spin, patterns": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "grid"\n[disc]\ntexture = "checker"\n',
     "spin, points": '[spacetime]\nmetric = "kerr"\n[camera]\nvelocity = [0.1, 0.2, 0.3]\n[sky]\nkind = "points"\neven_stars = 10\n',
-    "fisheye": '[camera]\nprojection = "fisheye"\n',
-    "equirectangular": '[spacetime]\nmetric = "minkowski"\n[camera]\nprojection = "equirectangular"\n',
     "cube-faces, points": '[camera]\nprojection = "cube"\nsize = [36, 24]\n[sky]\nkind = "points"\neven_stars = 10\n',
     "fisheye, warp": '[camera]\nprojection = "fisheye"\nwarp = "WARP"\n',
     "spin, cylindrical": '[spacetime]\nmetric = "kerr"\n[camera]\nprojection = "cylindrical"\n[sky]\nkind = "black"\n',
@@ -145,8 +140,16 @@ SCENES = {
 }
 
 
-# Models of matter along rays that are not above: their numbers begin with their names, and the scene is the kind alone.
-MODELS = set(re.split(", | or ", re.search(r"\| `medium\.kind` \|[^|]*\|[^|]*\| ([^|]+) \|", (ASSETS.parent / "docs/scenes.md").read_text())[1]))
+def choices(key):
+    row = re.search(rf"\| `{key}` \|[^|]*\|[^|]*\| ([^|]+) \|", (ASSETS.parent / "docs/scenes.md").read_text())
+    return set(re.split(", | or ", row[1]))
+
+
+# Projections and models of matter along rays that are not above: words begin with their names, and the scene is the name alone.
+PROJECTIONS = choices(r"camera\.projection") - {"pinhole", "cube"}
+WORDS |= {name: [rf"{name}_(?:view|place)"] for name in PROJECTIONS}
+SCENES |= {name: f'[camera]\nprojection = "{name}"\n' for name in PROJECTIONS}
+MODELS = choices(r"medium\.kind")
 WORDS |= {f"medium-{model}": [rf"{model.upper()}_\w+"] for model in MODELS if f"medium-{model}" not in WORDS}
 SCENES |= {f"medium-{model}": f'[sky]\nkind = "black"\n[object]\nname = "sgr-a"\n[medium]\nkind = "{model}"\n' for model in MODELS - {"grid", "formula"}}
 

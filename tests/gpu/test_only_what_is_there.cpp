@@ -1,6 +1,7 @@
 // A scene is charged only for what is in it: no texture of an effect that is off, none kept when it goes off, and a sky alone costs
 // what it costs in a shader that never knew anything else.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -105,20 +106,24 @@ std::vector<Scene> full_scenes() {
     scenes[6].disc->material.texture = TextureKind::kGas;
     scenes[6].camera.observer = ObserverKind::kRain;
     scenes[3].camera.zoom = scenes[6].camera.zoom = ZoomSpec{5.0, 0.0};
-    for (const auto& [scene, projection] : {std::pair{1, Projection::kFisheye},
-                                            {2, Projection::kEquirectangular},
-                                            {5, Projection::kCylindrical},
-                                            {4, Projection::kCube}}) {
-        CameraSpec& camera = scenes[static_cast<std::size_t>(scene)].camera;
-        camera.projection = projection;
-        set_field_of_view(camera, usual_field_of_view(projection));
-    }
+    const auto projection_at = [&](std::size_t scene, Projection projection) {
+        scenes[scene].camera.projection = projection;
+        set_field_of_view(scenes[scene].camera, usual_field_of_view(projection));
+    };
+    constexpr std::array kScenesOf = {1, 2, 5,
+                                      4};  // by Projection, the pinhole left out; others in scenes of their own
+    for (int i = 0; i < static_cast<int>(kScenesOf.size()); ++i)
+        projection_at(static_cast<std::size_t>(kScenesOf[i]), static_cast<Projection>(i + 1));
     // A sky of stars is some texels per pixel and star: two of them say what one of its kind has.
     scenes[2].sky.kind = scenes[5].sky.kind = SkyKind::kBlack;
     scenes[3].sky.magnitude_limit = scenes[6].sky.magnitude_limit = 1.0;
     scenes[5].camera.warp = assets_directory() / "warp" / "mirror.data";
     scenes[1].picture = {ToneCurve::kFilm, 0.1, false, true};
     scenes[2].picture = {ToneCurve::kNeutral, 0.0, true, false, 2};
+    for (int i = static_cast<int>(kScenesOf.size()) + 1; i < kProjections; ++i) {
+        scenes.emplace_back().camera = scenes.front().camera;
+        projection_at(scenes.size() - 1, static_cast<Projection>(i));
+    }
     for (const MediumModel* model : medium_models()) {
         Scene& scene = scenes.emplace_back();
         scene.camera = scenes.front().camera;

@@ -16,6 +16,7 @@
 #include "base/text.h"
 #include "cli/fits_header.h"
 #include "image/image_file.h"
+#include "scene/projection.h"
 #include "scene/scene.h"
 #include "support/temporary_folder.h"
 
@@ -179,7 +180,7 @@ TEST_CASE("fits coordinates: as from Earth, north up and east left, where the ob
 }
 
 TEST_CASE(
-    "fits coordinates: the camera's own directions where there is no one scale, none where a picture is no pinhole's") {
+    "fits coordinates: the camera's own directions where there is no one scale, none where a picture has no code") {
     Scene scene = far_object(ObjectName::kM87);
     scene.camera.pixel_aspect = 2.0;
     const double step = 5e-6 / 2.0 * 180.0 / M_PI;
@@ -196,6 +197,52 @@ TEST_CASE(
     scene = far_object(ObjectName::kM87);
     scene.camera.projection = Projection::kFisheye;
     CHECK(coordinates(scene).empty());
+}
+
+// Radius on the plane, rad, of a place at this angle from its middle: Calabretta and Greisen 2002 (A&A 395, 1077), zenithal projections.
+double zenithal_radius(const std::string& code, double angle) {
+    if (code == "TAN") return std::tan(angle);
+    if (code == "STG") return 2.0 * std::tan(0.5 * angle);
+    if (code == "ARC") return angle;
+    if (code == "SIN") return std::sin(angle);
+    if (code == "ZEA") return 2.0 * std::sin(0.5 * angle);
+    return NAN;
+}
+
+TEST_CASE("fits coordinates: of every projection with a code of the standard, where the standard has them") {
+    for (int i = 0; i < kProjections; ++i) {
+        Scene scene;
+        CameraSpec& camera = scene.camera;
+        camera.projection = static_cast<Projection>(i);
+        const ProjectionRow& row = projection_of(camera);
+        set_field_of_view(camera, row.field.usual);
+        camera.width = 640, camera.height = 360, camera.pixel_aspect = row.faces ? 1.0 : 1.25;
+        CAPTURE(row.name);
+        FitsHeader header;
+        cli::add_coordinates(scene, false, header);
+        std::map<std::string, std::string> types;
+        for (const FitsCard& card : header.cards)
+            if (const auto* text = std::get_if<std::string>(&card.value)) types[card.keyword] = *text;
+        CHECK(types.contains("CTYPE1") == !row.fits.empty());
+        const bool none = std::ranges::any_of(
+            header.comments, [](const std::string& line) { return line.starts_with("No coordinates"); });
+        CHECK(none == row.fits.empty());
+        if (row.fits.empty()) continue;
+        const std::string code(row.fits);
+        CHECK((types["CTYPE1"] == "CALN-" + code && types["CTYPE2"] == "CALT-" + code));
+        const auto numbers = coordinates(scene);
+        for (const double angle : {0.1, 0.5, 0.9})
+            for (const double bearing : {0.3, 2.0, 4.4}) {  // from the right to the top
+                const auto seen = pixel_of(camera, {std::sin(angle) * std::cos(bearing),
+                                                    std::sin(angle) * std::sin(bearing), -std::cos(angle)});
+                REQUIRE(seen);
+                const double x = ((*seen)[0] + 0.5 - numbers.at("CRPIX1")) * numbers.at("CDELT1"),
+                             y = (camera.height - (*seen)[1] + 0.5 - numbers.at("CRPIX2")) * numbers.at("CDELT2"),
+                             radius = zenithal_radius(code, angle) * 180.0 / M_PI;
+                CHECK(x == doctest::Approx(radius * std::cos(bearing)));
+                CHECK(y == doctest::Approx(radius * std::sin(bearing)));
+            }
+    }
 }
 
 TEST_CASE("fits coordinates: the spin axis turns from north to east as the camera rolls") {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "scene/projection.h"
 
@@ -45,7 +46,8 @@ Vec3 by_turns(Projection projection, double fov, double u, double v) {
             if (v > 0) return turned_right(ahead, 0.5 * M_PI * (column - 1));
             return column == 1 ? turned_right(ahead, M_PI) : turned_up(ahead, 0.5 * M_PI * (column - 1));
         }
-        case Projection::kPinhole: break;
+        case Projection::kPinhole:
+        case Projection::kEnd: break;
     }
     return turned_right(turned_up(forward, std::atan(std::tan(half) * v * std::cos(std::atan(std::tan(half) * u)))),
                         std::atan(std::tan(half) * u));
@@ -56,13 +58,18 @@ struct ProjectionCase {
     int width, height;
     double fov;
 };
-constexpr ProjectionCase kCases[] = {{Projection::kPinhole, 300, 200, 1.2},
-                                     {Projection::kFisheye, 200, 200, M_PI},
-                                     {Projection::kFisheye, 300, 200, 2 * M_PI},
-                                     {Projection::kEquirectangular, 400, 200, 2 * M_PI},
-                                     {Projection::kEquirectangular, 300, 200, 1.5},
-                                     {Projection::kCylindrical, 400, 300, 2 * M_PI},
-                                     {Projection::kCube, 300, 200, 6.0}};
+const std::vector<ProjectionCase> kCases = [] {
+    std::vector<ProjectionCase> cases = {{Projection::kPinhole, 300, 200, 1.2},
+                                         {Projection::kFisheye, 200, 200, M_PI},
+                                         {Projection::kFisheye, 300, 200, 2 * M_PI},
+                                         {Projection::kEquirectangular, 400, 200, 2 * M_PI},
+                                         {Projection::kEquirectangular, 300, 200, 1.5},
+                                         {Projection::kCylindrical, 400, 300, 2 * M_PI},
+                                         {Projection::kCube, 300, 200, 6.0}};
+    for (int i = 0; i < kProjections; ++i)  // each as scenes have it
+        cases.push_back({static_cast<Projection>(i), 300, 200, usual_field_of_view(static_cast<Projection>(i))});
+    return cases;
+}();
 
 TEST_CASE("projection: directions are those of turns about the camera's axes, and are found again") {
     for (const ProjectionCase& one : kCases)
@@ -71,7 +78,7 @@ TEST_CASE("projection: directions are those of turns about the camera's axes, an
             CameraSpec camera = camera_of(one.projection, one.width, one.height, one.fov);
             camera.pixel_aspect = aspect, camera.shift_x = aspect - 1.0, camera.shift_y = 0.2 * (aspect - 1.0);
             const double across = one.width * aspect,
-                         side = one.projection == Projection::kFisheye ? std::fmin(across, one.height) : across;
+                         side = projection_row(one.projection).circle ? std::fmin(across, one.height) : across;
             double off = 0.0, again = 0.0;
             for (double y = 0.5; y < one.height; y += 7.0)
                 for (double x = 0.5; x < one.width; x += 7.0) {

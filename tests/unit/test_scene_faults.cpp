@@ -2,8 +2,10 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 
+#include "scene/projection.h"
 #include "scenefile/scene_file.h"
 #include "support/folders.h"
 
@@ -204,5 +206,27 @@ TEST_CASE("every broken scene is refused in one line that names file, line and k
         CHECK(message.find(broken.part) != std::string::npos);
         CHECK(message.find_first_of("\n\r\x1b"s + '\0') == std::string::npos);
         CHECK(message.size() < 500);
+    }
+}
+
+TEST_CASE("every projection takes its fields of view, and refuses others with their range") {
+    for (int i = 1; i < kProjections; ++i) {
+        const ProjectionRow& row = projection_row(static_cast<Projection>(i));
+        if (row.faces) continue;
+        const double least = row.field.least * 180.0 / M_PI, most = row.field.most * 180.0 / M_PI;
+        const auto read = [&](double fov) {
+            return parse_scene(fmt::format("[camera]\nprojection = \"{}\"\nfov = {:.12g}\n", row.name, fov),
+                               "scene.toml", nullscope::test::data_folder());
+        };
+        CAPTURE(row.name);
+        for (const double fov : {least, row.field.usual * 180.0 / M_PI, row.field.below ? most - 1e-3 : most})
+            CHECK(read(fov));
+        for (const double fov : {0.9 * least, row.field.below ? most : 1.001 * most}) {
+            const auto refused = read(fov);
+            REQUIRE_FALSE(refused);
+            const std::string range = fmt::format("[{:.0f}, {:.0f}{}", least, most, row.field.below ? ')' : ']');
+            CHECK(refused.error().message().starts_with("scene.toml:3: camera.fov: "));
+            if (fov <= 360.0) CHECK(refused.error().message().find("allowed: " + range) != std::string::npos);
+        }
     }
 }

@@ -13,6 +13,7 @@
 #include "plan/effects.h"
 #include "plan/medium_model.h"
 #include "scene/bodies.h"
+#include "scene/projection_table.h"
 #include "shaderlib/embedded.h"
 #include "shaderlib/flat_frame.h"
 #include "shaderlib/preprocess.h"
@@ -78,6 +79,8 @@ std::vector<Scene> all_scenes() {
             scene.picture.refine = !(has(0) && has(9));
             if (has(3) && has(5) && !has(1)) scene.camera.zoom.emplace();
             if (has(2) && has(5) && !has(3)) scene.camera.warp = "mesh.data";
+            if (has(0) && !scene.camera.zoom)
+                scene.camera.projection = static_cast<Projection>(bits / 2 % kProjections);
             scenes.push_back(scene);
         }
     return scenes;
@@ -97,10 +100,6 @@ const std::vector<Mark> kMarks = {
     {Effect::kZoom, {"ring_part", "vec4 polar_length;", "vec4 polar_weight;", "vec4 ring;"}},
     {Effect::kSpinRing, {"ring_settling", "RingBarrier", "vec4 ring_peak;"}},
     {Effect::kSpinNear, {"near_above", "NearHorizon", "vec4 spin_near;"}},
-    {Effect::kFisheye, {"fisheye_view"}},
-    {Effect::kEquirectangular, {"equirectangular_view"}},
-    {Effect::kCylindrical, {"cylindrical_view"}},
-    {Effect::kCubeFaces, {"faces_view"}},
     {Effect::kWarp, {"warp_place", "warp_texture", "vec4 warp;", "pixel_share"}},
     {Effect::kDisc, {"disc_cross", "DiscCrossing", "plane_meet", "disc_normal", "disc_map", "disc_surface"}},
     {Effect::kDiscImage, {"disc_texture", "disc_filtered"}},
@@ -210,6 +209,13 @@ TEST_CASE(
         for (const MediumModel* model : medium_models())
             CHECK((text.find(fmt::format("// {}\n", model->effect.part.file)) != std::string::npos) ==
                   set.contains(model->effect.effect));
+        for (int i = 1; i < kProjections; ++i) {
+            const auto projection = static_cast<Projection>(i);
+            const bool seen = set.contains(projection_effect(projection));
+            for (const std::string& word : {fmt::format("// projection/{}.glsl\n", projection_name(projection)),
+                                            fmt::format(" {}_view(vec2 ", projection_name(projection))})
+                CHECK((text.find(word) != std::string::npos) == seen);
+        }
         CHECK((text.find("vec4 medium_form_0;") != std::string::npos) == scene.medium.has_value());
         for (const char* left : {"EFFECT_", "BLOCK", "BODY", "TEXTURE_", "MAPPING_", "__cplusplus", "#if", "#include"})
             CHECK(text.find(left) == std::string::npos);
@@ -284,7 +290,9 @@ TEST_CASE("shader source: every row of the effects table has marks here") {
     for (const EffectRow* row : effect_rows()) {
         bool found = false;
         for (const Mark& mark : kMarks) found = found || mark.effect == row->effect;
-        found = found || row->part.slot == Slot::kMedium;  // its file is looked for
+        found = found || row->part.slot == Slot::kMedium;  // its file is looked for, and those of projections
+        for (int i = 1; i < kProjections; ++i)
+            found = found || row->effect == projection_effect(static_cast<Projection>(i));
         CHECK_MESSAGE(found, row->key);
     }
 }

@@ -131,10 +131,13 @@ TEST_CASE(
 
 TEST_CASE("warp mesh: a mesh of identity leaves every camera as it is") {
     const TemporaryFolder folder("warp");
-    for (const auto& [projection, width, height, wide] : {std::tuple{Projection::kPinhole, 320, 200, 1.2},
-                                                          {Projection::kFisheye, 200, 200, M_PI},
-                                                          {Projection::kEquirectangular, 400, 200, 2 * M_PI},
-                                                          {Projection::kCylindrical, 300, 200, 4.0}}) {
+    std::vector<std::tuple<Projection, int, int, double>> cameras = {{Projection::kPinhole, 320, 200, 1.2},
+                                                                     {Projection::kFisheye, 200, 200, M_PI},
+                                                                     {Projection::kEquirectangular, 400, 200, 2 * M_PI},
+                                                                     {Projection::kCylindrical, 300, 200, 4.0}};
+    for (int i = static_cast<int>(Projection::kCube) + 1; i < kProjections; ++i)
+        cameras.emplace_back(static_cast<Projection>(i), 300, 200, 2.5);
+    for (const auto& [projection, width, height, wide] : cameras) {
         CameraSpec plain;
         plain.projection = projection, plain.width = width, plain.height = height;
         set_field_of_view(plain, wide);
