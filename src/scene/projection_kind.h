@@ -3,7 +3,7 @@
 
 namespace nullscope {
 
-enum class Projection { kPinhole, kFisheye, kEquirectangular, kCylindrical, kCube, kEnd };
+enum class Projection { kPinhole, kFisheye, kEquirectangular, kCylindrical, kCube, kStereographic, kEnd };
 inline constexpr int kProjections = static_cast<int>(Projection::kEnd);
 
 }  // namespace nullscope

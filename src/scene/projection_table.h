@@ -6,6 +6,7 @@
 #include "scene/projection_fisheye.h"
 #include "scene/projection_kind.h"
 #include "scene/projection_pinhole.h"
+#include "scene/projection_stereographic.h"
 
 namespace nullscope {
 
@@ -16,6 +17,7 @@ inline constexpr const ProjectionRow* kProjectionRows[] = {
     &kEquirectangularProjection,  //
     &kCylindricalProjection,      //
     &kCubeProjection,             //
+    &kStereographicProjection,    //
 };
 static_assert(sizeof kProjectionRows / sizeof kProjectionRows[0] == kProjections);
 

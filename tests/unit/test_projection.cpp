@@ -46,6 +46,9 @@ Vec3 by_turns(Projection projection, double fov, double u, double v) {
             if (v > 0) return turned_right(ahead, 0.5 * M_PI * (column - 1));
             return column == 1 ? turned_right(ahead, M_PI) : turned_up(ahead, 0.5 * M_PI * (column - 1));
         }
+        case Projection::kStereographic:
+            return rolled(turned_right(forward, 2 * std::atan(std::tan(0.5 * half) * std::hypot(u, v))),
+                          std::atan2(v, u));
         case Projection::kPinhole:
         case Projection::kEnd: break;
     }
@@ -65,7 +68,8 @@ const std::vector<ProjectionCase> kCases = [] {
                                          {Projection::kEquirectangular, 400, 200, 2 * M_PI},
                                          {Projection::kEquirectangular, 300, 200, 1.5},
                                          {Projection::kCylindrical, 400, 300, 2 * M_PI},
-                                         {Projection::kCube, 300, 200, 6.0}};
+                                         {Projection::kCube, 300, 200, 6.0},
+                                         {Projection::kStereographic, 300, 200, 6.0}};
     for (int i = 0; i < kProjections; ++i)  // each as scenes have it
         cases.push_back({static_cast<Projection>(i), 300, 200, usual_field_of_view(static_cast<Projection>(i))});
     return cases;
@@ -157,6 +161,46 @@ TEST_CASE("projection: how far a picture reaches, and where it comes round") {
         CameraSpec camera = camera_of(one.projection, one.width, one.height, one.fov);
         CHECK(field_of_view(camera) == doctest::Approx(one.fov));
     }
+}
+
+// In px from the picture's middle, right and up.
+std::array<double, 2> seen_at(const CameraSpec& camera, Vec3 direction) {
+    const auto place = pixel_of(camera, direction);
+    REQUIRE(place);
+    return {(*place)[0] - 0.5 * camera.width, 0.5 * camera.height - (*place)[1]};
+}
+
+TEST_CASE("projection: stereographic circles are circles, and angles are angles, also far behind") {
+    const CameraSpec camera = camera_of(Projection::kStereographic, 400, 200, 350 * M_PI / 180);
+    const CameraSpec half = camera_of(Projection::kStereographic, 400, 200, M_PI);
+    CHECK(seen_at(half, {1, 0, 0})[0] == doctest::Approx(200.0));  // at the edge
+    CHECK(seen_at(half, {std::sin(0.5), 0, -std::cos(0.5)})[0] == doctest::Approx(200.0 * std::tan(0.25)));
+    for (const double off : {0.3, 1.2, 2.0, 2.9})  // of the circle's centre from the line of sight
+        for (const double radius : {1e-3, 0.2, 1.0}) {
+            const auto on = [&](double turn) {
+                return rolled(turned_right(rolled(turned_right({0, 0, -1}, radius), turn), off), 0.7);
+            };
+            // Its centre and radius: both ends of the diameter through the line of sight.
+            const auto near = seen_at(camera, on(M_PI)), far = seen_at(camera, on(0.0));
+            const double x = 0.5 * (near[0] + far[0]), y = 0.5 * (near[1] + far[1]),
+                         wide = std::hypot(near[0] - x, near[1] - y);
+            for (double turn = 0.1; turn < 6.2; turn += 0.3) {
+                const auto at = seen_at(camera, on(turn));
+                CHECK(std::hypot(at[0] - x, at[1] - y) == doctest::Approx(wide).epsilon(1e-9));
+            }
+            // A step along it and one across it are at right angles, and as long as each other.
+            constexpr double kStep = 1e-5;
+            const Vec3 here = on(1.0), along = normalized(on(1.0 + kStep) - on(1.0 - kStep)),
+                       across = cross(here, along);
+            const auto step = [&](Vec3 v) {
+                const auto after = seen_at(camera, here + kStep * v), before = seen_at(camera, here - kStep * v);
+                return std::array{after[0] - before[0], after[1] - before[1]};
+            };
+            const auto a = step(along), b = step(across);
+            CHECK(a[0] == doctest::Approx(-b[1]).epsilon(1e-4).scale(std::hypot(a[0], a[1])));
+            CHECK(a[1] == doctest::Approx(b[0]).epsilon(1e-4).scale(std::hypot(a[0], a[1])));
+        }
+    CHECK_FALSE(pixel_of(camera, {0, 0, 1}));
 }
 
 TEST_CASE("projection: the faces of a cube meet without a seam") {
