@@ -29,8 +29,8 @@ from x_screen import read_png
 ROOT = Path(__file__).resolve().parents[2]
 TEXT = ROOT / "CONTRIBUTING.md"
 QUICK = not depth.deep()
-RECIPES = ["a metric", "an effect", "a body kind", "a medium model", "a scene section", "an output format", "a panel"]
-OF_SCENES = RECIPES[:4]   # each has one
+RECIPES = ["a metric", "an effect", "a body kind", "a medium model", "a projection", "a scene section", "an output format", "a panel"]
+OF_SCENES = RECIPES[:5]   # each has one
 BUILT = ("build", "out")   # folders that are no part of the tree
 SIZE = "160x90"
 
@@ -52,6 +52,7 @@ SCENES = {
     "grey-limb": (r'grey_limb = "on"\n', ""),
     "cube": (r"\[cube\]\n(?:.+\n)+", ""),
     "halo": (r"\[medium\]\n(?:.+\n)+", ""),
+    "lambert": (r'projection = "lambert"\nfov = 300\.0\n', ""),
     "target": (r"\[target\]\n(?:.+\n)+", ""),
 }
 # A ray inward from 20 r_s over the cube's middle.
@@ -137,6 +138,8 @@ def check_promises(steps):
     at_most("a metric", 0, "shaders/")
     at_most("a body kind", 9, "src/", "shaders/")
     at_most("a medium model", 5, "src/", "shaders/")
+    at_most("a projection", 4, "src/", "shaders/")
+    at_most("a projection", 6, "")            # with its scene and its closed form; docs/scenes.md makes seven
     at_most("a scene section", 3, "src/", "shaders/")
     at_most("a scene section", 5, "")         # with its scene; docs/scenes.md makes six
     at_most("an output format", 3, "src/", "shaders/")   # with src/CMakeLists.txt where a package writes it
