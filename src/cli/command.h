@@ -2,6 +2,7 @@
 // exit status.
 #pragma once
 #include "base/result.h"
+#include "bench/bench.h"
 #include "command/options.h"
 
 namespace nullscope::cli {
@@ -20,6 +21,11 @@ void add_lightcurve(Command& parent);
 void add_light_time(Command& parent);
 void add_profile(Command& parent);
 void add_spectrum(Command& parent);
+
+// In the order of nullscope --help.
+inline constexpr void (*kCommands[])(Command&) = {
+    add_capture, add_frames, add_path,       add_trace,      add_compare, add_bench,    add_plan,  add_scenes,
+    add_info,    add_figure, add_lightcurve, add_light_time, add_profile, add_spectrum, add_manual};
 
 // One line on standard error; the exit status that goes with it (1 or 2).
 int report(const Error& error);

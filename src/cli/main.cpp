@@ -10,7 +10,6 @@
 #include "base/atomic_file.h"
 #include "base/credits.h"
 #include "base/text.h"
-#include "bench/bench.h"
 #include "cli/command.h"
 #include "version/version.h"
 
@@ -42,9 +41,7 @@ int main(int argc, char** argv) {
         "Try: nullscope capture first-light -o first-light.png");
     program.set_version(nullscope::kVersionText);
     program.set_credits(nullscope::kCredits);
-    for (const auto add : {add_capture, add_frames, add_path, add_trace, add_compare, add_bench, add_plan, add_scenes,
-                           add_info, add_figure, add_lightcurve, add_light_time, add_profile, add_spectrum, add_manual})
-        add(program);
+    for (const auto add : kCommands) add(program);
     program.set_footer("\nnullscope help COMMAND lists the options of a command. For a window, run nullscope-viewer.");
     const auto asked = nullscope::parse_command_line(program, argc, argv);
     if (!asked) return report(asked.error());
