@@ -17,7 +17,7 @@ from xml.etree import ElementTree
 import support
 from image_bytes import png, png_chunks
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench rays", "bench soak", "plan", "scenes", "info", "figure", "path", "lightcurve", "light-time", "profile", "spectrum", "manual"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench rays", "bench soak", "plan", "scenes", "info", "figure", "path", "lightcurve", "light-time", "profile", "spectrum", "landmarks", "manual"]
 
 
 def png_size(data):
@@ -132,6 +132,28 @@ class Commands(support.CliTest):
             said = self.run_nullscope("capture", scene, "--size", support.SMALL, "-o", os.path.join(self.folder, "ring.png")).err
             self.assertIn(promised, said)
         self.refused("capture", scene, "--size", support.SMALL, "--max-error", "0.1", says=["--max-error 0.1", "0.5 px and more"])
+
+    def test_landmarks(self):
+        def of(text, *options):
+            return self.run_nullscope("landmarks", self.write("there.toml", text), *options).out
+
+        still = json.loads(of('[spacetime]\nmetric = "schwarzschild"\n[camera]\nr = 10\n', "--json"))
+        root = math.sqrt(0.9)
+        for key, value in {"horizon": 1, "photon_orbit": 1.5, "isco": 3, "critical_impact": math.sqrt(6.75), "lapse": root, "clock_rate": root,
+                           "shadow_radius": math.degrees(math.asin(math.sqrt(6.75) * root / 10)), "orbit_period": 2 * math.pi * math.sqrt(2000)}.items():
+            self.assertAlmostEqual(still[key], value, delta=1e-9 * value)
+        self.assertIsNone(still["retrograde_isco"])
+        # Bardeen, Press and Teukolsky 1972 (ApJ 178, 347): 2.32088 and 8.71735 GM/c^2 where a = 0.9; light at 2 (1 + cos(2/3 acos(-+a))).
+        text = '[spacetime]\nmetric = "kerr"\nspin = 0.9\n'
+        turning = json.loads(of(text, "--json"))
+        self.assertAlmostEqual(turning["isco"], 2.32088 / 2, delta=1e-5)
+        self.assertAlmostEqual(turning["retrograde_isco"], 8.71735 / 2, delta=1e-5)
+        for key, sign in (("photon_orbit", -1), ("retrograde_photon_orbit", 1)):
+            self.assertAlmostEqual(turning[key], 1 + math.cos(2 / 3 * math.acos(sign * 0.9)), delta=1e-9)
+        lines = of(text)
+        self.assertIn("innermost stable circular orbit, retrograde", lines)
+        self.assertNotIn("critical", lines)   # there is none
+        self.refused("landmarks", "no-such-scene", says=["no-such-scene"])
 
     def test_plan_says_why(self):
         text = '[camera]\nvelocity = [0.0, 0.0, 0.5]\n[sky]\nkind = "black"\n[disc]\nopacity = 0.5\n'

@@ -1,0 +1,79 @@
+// nullscope landmarks: radii of a scene's spacetime that have names, and what its camera's place and motion give.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "command/json.h"
+#include "observer/landmarks.h"
+#include "scenefile/scene_file.h"
+#include "spacetime/registry.h"
+
+namespace nullscope::cli {
+namespace {
+
+struct LandmarksOptions {
+    std::string scene;
+    bool json = false;
+};
+
+struct NamedNumber {
+    const char *key, *unit, *words;
+    std::optional<double> value;  // nothing: there is none
+};
+
+std::vector<NamedNumber> numbers_of(const Spacetime& spacetime, const CameraSpec& camera) {
+    const Landmarks marks = landmarks_of(spacetime);
+    const CameraNumbers here = camera_numbers(spacetime, camera);
+    const auto degrees = [](std::optional<double> angle) {
+        return angle ? std::optional(*angle * 180.0 / M_PI) : angle;
+    };
+    const auto side = [&](std::size_t i) {
+        return here.shadow_size ? std::optional((*here.shadow_size)[i]) : std::nullopt;
+    };
+    return {
+        {"horizon", "r_s", "horizon, the outer one", marks.horizon},
+        {"photon_orbit", "r_s", "circular orbit of light, prograde", marks.photon_orbit},
+        {"retrograde_photon_orbit", "r_s", "circular orbit of light, retrograde", marks.retrograde_photon_orbit},
+        {"isco", "r_s", "innermost stable circular orbit, prograde", marks.isco},
+        {"retrograde_isco", "r_s", "innermost stable circular orbit, retrograde", marks.retrograde_isco},
+        {"critical_impact", "r_s", "impact parameter of the light that spirals to the photon orbit",
+         marks.critical_impact},
+        {"lapse", "", "dtau/dt at the camera of who does not rotate there", here.lapse},
+        {"clock_rate", "", "dtau/dt of the camera", here.clock_rate},
+        {"shadow_radius", "deg", "angular radius of the shadow, seen at rest there", degrees(here.shadow)},
+        {"shadow_width", "deg", "angular width of the shadow, seen without angular momentum", degrees(side(0))},
+        {"shadow_height", "deg", "angular height of it", degrees(side(1))},
+        {"orbit_speed", "c", "speed of a circular geodesic there, for observers at rest", here.orbit_speed},
+        {"orbit_period", "r_s/c", "its period in coordinate time", here.orbit_period},
+    };
+}
+
+Result<int> run_landmarks(const LandmarksOptions& options) {
+    TRY(scene, load_scene(options.scene));
+    TRY(spacetime, make_spacetime(scene->spacetime.metric, scene->spacetime.parameters));
+    Json json{{"scene", scene->name}, {"metric", scene->spacetime.metric}};
+    for (const NamedNumber& number : numbers_of(**spacetime, scene->camera)) {
+        json[number.key] = number.value ? Json(*number.value) : Json(nullptr);
+        if (!options.json && number.value) fmt::print("{:<14.9g} {:<6} {}\n", *number.value, number.unit, number.words);
+    }
+    if (options.json) fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+    return 0;
+}
+
+}  // namespace
+
+void add_landmarks(Command& parent) {
+    auto [command, options] = add_command<LandmarksOptions>(parent, "landmarks",
+                                                            "Radii of a scene's spacetime that have names (horizon, "
+                                                            "photon orbit, ISCO), its shadow and clocks at the camera",
+                                                            run_landmarks);
+    required_option(command, "scene", options.scene,
+                    "Scene file, or the name of a built-in scene (see: nullscope scenes)");
+    command.add_flag("--json", &options.json, "Print one JSON object; null: there is none");
+}
+
+}  // namespace nullscope::cli
