@@ -153,7 +153,8 @@ void set_exact_fov(CameraSpec& camera, double fov) {
     const ProjectionRow& row = projection_of(camera);
     if (row.faces) return;
     if (!row.flat) {
-        camera.plane_width = std::clamp(fov, row.field.least, row.field.below ? row.field.steered_most : row.field.most);
+        camera.plane_width =
+            std::clamp(fov, row.field.least, row.field.below ? row.field.steered_most : row.field.most);
         return;
     }
     const KeyRange widths = key_range("camera.plane_width");

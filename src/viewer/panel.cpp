@@ -8,7 +8,7 @@
 
 namespace nullscope::viewer {
 
-std::span<const Panel* const> panels() { return kPanels; }
+std::span<const Panel* const> panels() { return kPanelRows; }
 
 void set_open(ViewState& view, const Panel& panel, bool open) {
     if (open)

@@ -7,7 +7,7 @@ namespace nullscope::viewer {
 extern const Panel kSidePanel, kTimelinePanel, kProbePanel, kBookmarksPanel, kHistogramPanel, kKeysPanel, kEditorPanel,
     kAboutPanel, kToursPanel;
 
-inline constexpr const Panel* kPanels[] = {
+inline constexpr const Panel* kPanelRows[] = {
     &kSidePanel,       //
     &kTimelinePanel,   //
     &kProbePanel,      //
