@@ -1,4 +1,4 @@
-// nullscope landmarks: radii of a scene's spacetime that have names, and what its camera's place and motion give.
+// nullscope landmarks: characteristic radii of a scene's spacetime, and numbers of its camera's place and motion.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -35,19 +35,18 @@ std::vector<NamedNumber> numbers_of(const Spacetime& spacetime, const CameraSpec
         return here.shadow_size ? std::optional((*here.shadow_size)[i]) : std::nullopt;
     };
     return {
-        {"horizon", "r_s", "horizon, the outer one", marks.horizon},
-        {"photon_orbit", "r_s", "circular orbit of light, prograde", marks.photon_orbit},
-        {"retrograde_photon_orbit", "r_s", "circular orbit of light, retrograde", marks.retrograde_photon_orbit},
-        {"isco", "r_s", "innermost stable circular orbit, prograde", marks.isco},
-        {"retrograde_isco", "r_s", "innermost stable circular orbit, retrograde", marks.retrograde_isco},
-        {"critical_impact", "r_s", "impact parameter of the light that spirals to the photon orbit",
-         marks.critical_impact},
-        {"lapse", "", "dtau/dt at the camera of who does not rotate there", here.lapse},
+        {"horizon", "r_s", "outer horizon", marks.horizon},
+        {"photon_orbit", "r_s", "prograde circular photon orbit", marks.photon_orbit},
+        {"retrograde_photon_orbit", "r_s", "retrograde circular photon orbit", marks.retrograde_photon_orbit},
+        {"isco", "r_s", "prograde ISCO", marks.isco},
+        {"retrograde_isco", "r_s", "retrograde ISCO", marks.retrograde_isco},
+        {"critical_impact", "r_s", "critical impact parameter", marks.critical_impact},
+        {"lapse", "", "dtau/dt of a local observer at rest (ZAMO) at the camera", here.lapse},
         {"clock_rate", "", "dtau/dt of the camera", here.clock_rate},
-        {"shadow_radius", "deg", "angular radius of the shadow, seen at rest there", degrees(here.shadow)},
-        {"shadow_width", "deg", "angular width of the shadow, seen without angular momentum", degrees(side(0))},
-        {"shadow_height", "deg", "angular height of it", degrees(side(1))},
-        {"orbit_speed", "c", "speed of a circular geodesic there, for observers at rest", here.orbit_speed},
+        {"shadow_radius", "deg", "angular radius of the shadow for an observer at rest there", degrees(here.shadow)},
+        {"shadow_width", "deg", "angular width of the shadow for a ZAMO there", degrees(side(0))},
+        {"shadow_height", "deg", "its angular height", degrees(side(1))},
+        {"orbit_speed", "c", "speed of the circular geodesic there for observers at rest", here.orbit_speed},
         {"orbit_period", "r_s/c", "its period in coordinate time", here.orbit_period},
     };
 }
@@ -68,7 +67,7 @@ Result<int> run_landmarks(const LandmarksOptions& options) {
 
 void add_landmarks(Command& parent) {
     auto [command, options] = add_command<LandmarksOptions>(parent, "landmarks",
-                                                            "Radii of a scene's spacetime that have names (horizon, "
+                                                            "Characteristic radii of a scene's spacetime (horizon, "
                                                             "photon orbit, ISCO), its shadow and clocks at the camera",
                                                             run_landmarks);
     required_option(command, "scene", options.scene,
