@@ -14,7 +14,8 @@ struct ProjectionWords {
         for (const char c : words) text[size++] = c;
     }
     constexpr void add_degrees(double angle) {
-        const int degrees = static_cast<int>(angle * 180.0 / M_PI + 0.5);
+        int degrees = 0;  // rounded: std::lround is not constexpr
+        while (degrees + 0.5 <= angle * 180.0 / M_PI) ++degrees;
         for (int place = degrees >= 100 ? 100 : degrees >= 10 ? 10 : 1; place > 0; place /= 10)
             text[size++] = static_cast<char>('0' + degrees / place % 10);
     }

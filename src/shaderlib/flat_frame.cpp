@@ -47,6 +47,7 @@ std::vector<std::string> frame_members_read(const std::string& text) {
     });
     std::ranges::stable_sort(counts, std::greater{}, &std::pair<std::string, int>::second);
     std::vector<std::string> names;
+    names.reserve(counts.size());
     for (const auto& [name, count] : counts) names.push_back(name);
     return names;
 }
