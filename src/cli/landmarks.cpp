@@ -45,9 +45,9 @@ std::vector<NamedNumber> numbers_of(const Spacetime& spacetime, const CameraSpec
         {"clock_rate", "", "dtau/dt of the camera", here.clock_rate},
         {"shadow_radius", "deg", "angular radius of the shadow for an observer at rest there", degrees(here.shadow)},
         {"shadow_width", "deg", "angular width of the shadow for a ZAMO there", degrees(side(0))},
-        {"shadow_height", "deg", "its angular height", degrees(side(1))},
+        {"shadow_height", "deg", "angular height of the shadow for a ZAMO there", degrees(side(1))},
         {"orbit_speed", "c", "speed of the circular geodesic there for observers at rest", here.orbit_speed},
-        {"orbit_period", "r_s/c", "its period in coordinate time", here.orbit_period},
+        {"orbit_period", "r_s/c", "period of the circular geodesic there, in coordinate time", here.orbit_period},
     };
 }
 
