@@ -153,8 +153,8 @@ void set_exact_fov(CameraSpec& camera, double fov) {
     const ProjectionRow& row = projection_of(camera);
     if (row.faces) return;
     if (!row.flat) {
-        camera.plane_width =
-            std::clamp(fov, row.field.least, row.field.below ? row.field.steered_most : row.field.most);
+        const bool too_wide = row.field.below && fov >= row.field.most;
+        camera.plane_width = too_wide ? row.field.steered_most : std::clamp(fov, row.field.least, row.field.most);
         return;
     }
     const KeyRange widths = key_range("camera.plane_width");

@@ -151,7 +151,7 @@ class Commands(support.CliTest):
         for key, sign in (("photon_orbit", -1), ("retrograde_photon_orbit", 1)):
             self.assertAlmostEqual(turning[key], 1 + math.cos(2 / 3 * math.acos(sign * 0.9)), delta=1e-9)
         lines = of(text)
-        self.assertIn("innermost stable circular orbit, retrograde", lines)
+        self.assertIn("retrograde ISCO", lines)
         self.assertNotIn("critical", lines)   # there is none
         self.refused("landmarks", "no-such-scene", says=["no-such-scene"])
 
