@@ -31,14 +31,16 @@ std::vector<NamedNumber> numbers_of(const Spacetime& spacetime, const CameraSpec
     const auto degrees = [](std::optional<double> angle) {
         return angle ? std::optional(*angle * 180.0 / M_PI) : angle;
     };
+    const bool rotates = spacetime.rotates();  // else there are no two senses
+    const char* at = spacetime.by_proper_length() ? "r_s, l" : "r_s";
     const auto side = [&](std::size_t i) {
         return here.shadow_size ? std::optional((*here.shadow_size)[i]) : std::nullopt;
     };
     return {
         {"horizon", "r_s", "outer horizon", marks.horizon},
-        {"photon_orbit", "r_s", "prograde circular photon orbit", marks.photon_orbit},
+        {"photon_orbit", at, rotates ? "prograde circular photon orbit" : "photon sphere", marks.photon_orbit},
         {"retrograde_photon_orbit", "r_s", "retrograde circular photon orbit", marks.retrograde_photon_orbit},
-        {"isco", "r_s", "prograde ISCO", marks.isco},
+        {"isco", at, rotates ? "prograde ISCO" : "ISCO", marks.isco},
         {"retrograde_isco", "r_s", "retrograde ISCO", marks.retrograde_isco},
         {"critical_impact", "r_s", "critical impact parameter", marks.critical_impact},
         {"lapse", "", "dtau/dt of a local observer at rest (ZAMO) at the camera", here.lapse},

@@ -53,6 +53,11 @@ std::array<long double, 3> closed_form(const CameraSpec& camera, double x, doubl
         const long double angle = std::sqrt(u * u + v * v), bearing = std::atan2(v, u);
         return {std::sin(angle) * std::cos(bearing), std::sin(angle) * std::sin(bearing), -std::cos(angle)};
     }
+    if (camera.projection == Projection::kStereographic) {
+        const long double scale = 4 * std::tan(0.25L * camera.plane_width) / camera.plane_width,
+                          angle = 2 * std::atan(0.5L * scale * std::hypot(u, v)), bearing = std::atan2(v, u);
+        return {std::sin(angle) * std::cos(bearing), std::sin(angle) * std::sin(bearing), -std::cos(angle)};
+    }
     if (camera.projection != Projection::kCylindrical && camera.projection != Projection::kEquirectangular) {
         const Vec3 d = normalized(pixel_direction(camera, x, y));
         return {d.x, d.y, d.z};
