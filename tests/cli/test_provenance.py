@@ -385,7 +385,7 @@ class Tiff(support.CliTest):
         data = (self.folder / "a.tif").read_bytes()
         at = struct.unpack("<I", data[4:8])[0]
         entry = next(at + 2 + 12 * i for i in range(64) if data[at + 2 + 12 * i:at + 4 + 12 * i] == struct.pack("<H", 270))
-        for name, broken, says in (("far", data[:4] + b"\xff" * 4 + data[8:], "cut off"), ("long", data[:entry + 4] + b"\xff" * 4 + data[entry + 8:], "bytes of itself"),
+        for name, broken, says in (("far", data[:4] + b"\xff" * 4 + data[8:], "cut off"), ("long", data[:entry + 4] + b"\xff" * 4 + data[entry + 8:], "longer than"),
                                    ("short", data[:6], "short.tif"), ("none", data[:entry] + struct.pack("<H", 271) + data[entry + 2:], "holds no scene"),
                                    ("away", data[:entry + 8] + b"\xff" * 4 + data[entry + 12:], "cut off")):
             self.write(f"{name}.tif", broken)
