@@ -19,7 +19,7 @@ constexpr double kNear = 1.5;             // horizon radii: nearer cameras about
 
 // Core-seconds of a frame beyond which a part of its rows are drawn, in bands, spread over the picture. Each band costs some 0.05 ms besides
 // its rays.
-constexpr double kLongFrame_s = 0.25;
+constexpr double kLongFrame_s = 0.12;
 constexpr int kBand = 4, kSmallestPart = 16;
 
 constexpr std::string_view kMethods =
