@@ -119,7 +119,7 @@ TEST_CASE("uniform block: without an effect its members are gone and the others 
     });
 }
 
-TEST_CASE("uniform block: handed on by the vertex shader it makes the same picture, bit by bit") {
+TEST_CASE("uniform block: handed on by the vertex shader it makes the same picture, bit by bit" * test::costly()) {
     on_one_context([&](GpuSession&) {
         for (const char* name : {"sky-only", "first-light", "earth", "kerr"})
             for (const Tiles tiles : {Tiles::kNone, Tiles::kTraced}) {
