@@ -97,8 +97,7 @@ const MediumModel kJetModel{
     .faults = jet_faults,
     .numbers =
         "JET_INNER JET_OUTER JET_BEGIN JET_LENGTH JET_RIM JET_SINE JET_COSINE JET_FALLOFF JET_SPEED JET_DENSITY "
-        "JET_ACROSS "
-        "JET_ALONG",
+        "JET_ACROSS JET_ALONG",
     .values = jet_values,
     .before = massive_hole,
     .with = [](Scene& s) { s.medium.emplace().kind = MediumKind::kJet; },

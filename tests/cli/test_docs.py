@@ -4,7 +4,7 @@
 Every line of a page that begins with nullscope (or build/release/bin/nullscope, or is in a block marked sh) is looked at: its options are
 those that --help lists. Blocks and lines are then run, page by page and in order, in an empty folder, but for `bench` outside of blocks, which
 measures for minutes. Pictures are drawn with at most 64 px a side and sequences have two frames: small_program(). At quick depth those of
-docs/tutorial.md and docs/command-line.md are run, with --all those of every page.
+docs/tutorial.md and docs/command-line.md are run (LONG_PAGES), with --all those of every page.
 """
 import functools
 import json
