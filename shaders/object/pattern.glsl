@@ -15,8 +15,6 @@
 #ifdef TEXTURE_IMAGE
 #include "effect/footprint.glsl"
 
-uniform sampler2D IMAGE;
-
 vec3 BODY_image(vec2 uv, vec2 a, vec2 b) {
     vec2 texels = vec2(textureSize(IMAGE, 0));
     vec2 wide = a * texels;

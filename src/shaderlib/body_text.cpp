@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 #include "expr/formula.h"
@@ -338,7 +339,10 @@ std::string hit_text(const std::vector<Group>& groups) {
 std::string lights_text(const std::vector<Group>& groups, const Scene& scene) {
     const std::vector<std::size_t> order = shader_bodies(scene);
     std::string text = includes_of(groups), choice;
+    std::set<int> images;  // a file may be on bodies of several groups
     for (const Group& group : groups) {
+        if (group.texture == TextureKind::kImage && images.insert(group.image).second)
+            text += fmt::format("uniform sampler2D body_image_{};\n", group.image);
         text += light_text(group, scene.bodies[order[group.from]].material);
         choice += fmt::format("    if (i < {}) return {}_light(i, trace, hit.place);\n", group.to, group.name);
     }

@@ -249,6 +249,12 @@ TEST_CASE("bodies: tables and textures are there for the effects that are on, an
         first_body<SphereSpec>(scene)->material.texture = TextureKind::kImage;
         first_body<SphereSpec>(scene)->material.image = assets_directory() / "images" / "accretion-disc.png";
         CHECK(now() == Names{"sphere image", "surface clearance"});
+        // One file on bodies of two kinds, and in two mappings, is one texture.
+        first_body<CylinderSpec>(scene)->material = first_body<SphereSpec>(scene)->material;
+        const Material same = first_body<CylinderSpec>(scene)->material;
+        Material& other = add_body<SphereSpec>(scene).material;
+        other = same, other.mapping = BodyMapping::kCubeFaces;
+        CHECK(now().size() == 2);
         remove_bodies<SphereSpec>(scene), remove_bodies<CylinderSpec>(scene), remove_bodies<BallSpec>(scene),
             remove_bodies<SurfaceSpec>(scene);
         CHECK(now() == Names{});
