@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "expr/formula.h"
 #include "numeric/dormand_prince.h"
@@ -38,22 +40,11 @@ public:
         least_radius_ = std::max(spacetime.horizon_radius().value_or(0.0), spacetime.surface_radius().value_or(0.0));
     }
     State at(double t) {
-        const double sense = t >= 0.0 ? 1.0 : -1.0;
-        if (sense * (t - at_[0]) < 0.0 || sense * at_[0] < 0.0) at_ = start_, step_ = kFirstStep;
-        while (std::fabs(t - at_[0]) > kReached) {
-            const double r = at_[1], rest = (r - least_radius_) / std::max(std::fabs(at_[2]), 1e-3);
-            if (r <= least_radius_ * (1.0 + kFrozen)) return {t, r, 0, at_[3]};
-            const double left = std::fabs(t - at_[0]) * spacetime_.lapse_squared(r) / energy_;
-            const double h = std::min({step_, left, 0.1 * rest});  // no stage of a step is inside
-            State wrong{};
-            const State next = dormand_prince(
-                at_, std::copysign(h, t - at_[0]), [this](const State& s) { return slope(s); }, wrong);
-            double error = 0;
-            for (const double x : wrong) error = std::max(error, std::fabs(x) / kTolerance);
-            if (error <= 1.0) at_ = next;
-            if (error > 1.0 || h == step_) step_ = h * next_step_factor(error);
-        }
-        return at_;
+        if (std::fabs(t) <= kLong || !find_period()) return along(t);
+        const double periods = std::floor(t / period_->time);
+        State s = along(t - periods * period_->time);
+        s[0] += periods * period_->time, s[3] += periods * period_->angle;
+        return s;
     }
     BallPlace motion(double t, Vec3 outward, Vec3 onward) {
         const State s = at(t);
@@ -63,7 +54,67 @@ public:
     }
 
 private:
+    struct Period {
+        double time, angle;  // from one smallest radius to the next
+    };
     static constexpr double kFirstStep = 1e-2, kReached = 1e-7;
+    static constexpr double kLong = 1e4;      // r_s/c: later, a bound orbit is known by its period
+    static constexpr int kMostSteps = 20000;  // in which it is looked for; one that escapes takes ever longer ones
+
+    bool is_frozen(double r) const { return r <= least_radius_ * (1.0 + kFrozen); }
+    State step(const State& from, double h, State& wrong) const {
+        return dormand_prince(
+            from, h, [this](const State& s) { return slope(s); }, wrong);
+    }
+    // By a step of proper time, at most so long, into the future or the past. length: of the next.
+    State stepped(const State& from, double most, double sense, double& length) const {
+        const double rest = (from[1] - least_radius_) / std::max(std::fabs(from[2]), 1e-3);
+        for (;;) {
+            const double h = std::min({length, most, 0.1 * rest});  // no stage of a step is inside
+            State wrong{};
+            const State next = step(from, std::copysign(h, sense), wrong);
+            double error = 0;
+            for (const double x : wrong) error = std::max(error, std::fabs(x) / kTolerance);
+            if (error > 1.0 || h == length) length = h * next_step_factor(error);
+            if (error <= 1.0) return next;
+        }
+    }
+    State along(double t) {
+        const double sense = t >= 0.0 ? 1.0 : -1.0;
+        if (sense * (t - at_[0]) < 0.0 || sense * at_[0] < 0.0) at_ = start_, length_ = kFirstStep;
+        while (std::fabs(t - at_[0]) > kReached) {
+            const double r = at_[1];
+            if (is_frozen(r)) return {t, r, 0, at_[3]};
+            const double left = std::fabs(t - at_[0]) * spacetime_.lapse_squared(r) / energy_;
+            at_ = stepped(at_, left, t - at_[0], length_);
+        }
+        return at_;
+    }
+    // Whether the orbit is bound: is sought once.
+    bool find_period() {
+        if (std::exchange(sought_, true)) return period_.has_value();
+        State s = start_;
+        double length = kFirstStep;
+        std::optional<State> first;
+        for (int i = 0; i < kMostSteps && !is_frozen(s[1]) && !period_; ++i) {
+            const State before = std::exchange(s, stepped(s, kLong, 1.0, length));
+            if (!(before[2] < 0.0 && s[2] >= 0.0)) continue;
+            const State least = least_radius(s);
+            if (first) period_ = Period{least[0] - (*first)[0], least[3] - (*first)[3]};
+            first = least;
+        }
+        return period_.has_value();
+    }
+    // Where dr/dtau is 0, by Newton's method from a place next to it.
+    State least_radius(State s) const {
+        for (int i = 0; i < 5; ++i) {
+            const double h = -s[2] / slope(s)[2];
+            State wrong{};
+            if (!(std::fabs(h) < std::fabs(s[1]))) break;
+            s = step(s, h, wrong);
+        }
+        return s;
+    }
     State slope(const State& s) const {
         const double zeta = 1.0 / s[1], a = spacetime_.lapse_squared(s[1]);
         const double a_r = -zeta * zeta * spacetime_.orbit_equation()->lapse_slope(zeta);  // dA/dr
@@ -72,8 +123,10 @@ private:
                 momentum_ * zeta * zeta};
     }
     const Spacetime& spacetime_;
-    double energy_, momentum_, least_radius_, step_ = kFirstStep;
+    double energy_, momentum_, least_radius_, length_ = kFirstStep;
     State start_, at_;
+    bool sought_ = false;
+    std::optional<Period> period_;
 };
 
 }  // namespace

@@ -6,8 +6,11 @@
 #include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,45 +28,94 @@ public:
     using State = std::array<double, 3>;  // r, P, phi
     Fall(const OrbitMetric& metric, State start, double momentum)
         : metric_(metric), horizon_(metric.horizon_radius().value_or(0.0)), momentum_(momentum) {
-        for (auto& way : ways_) way.push_back(Stretch{start, nullptr});
+        for (Way& way : ways_) way.stretches.push_back(Stretch{start, 0, stretch_at(start[0])});
     }
     State at(double t) {
-        const double sense = t < 0 ? -1 : 1, stretches = std::fabs(t) / kStretch;
-        const auto whole = static_cast<std::size_t>(stretches);
         const std::lock_guard lock(mutex_);
-        std::vector<Stretch>& way = ways_[t < 0];
-        while (way.size() <= whole) way.push_back(Stretch{stepped(way.back().begin, sense * kStretch), nullptr});
-        Stretch& stretch = way[whole];
-        if (!stretch.between && !stretch.lands) look_between(stretch, sense);
-        if (stretch.between) return (*stretch.between)(stretches - static_cast<double>(whole)).value;
-        return stepped(stretch.begin, t - sense * kStretch * static_cast<double>(whole));
+        if (std::fabs(t) <= kLong || !find_period(std::fabs(t))) return along(t);
+        const double periods = std::floor(t / period_->time);
+        State s = along(t - periods * period_->time);
+        s[2] += periods * period_->angle;
+        return s;
     }
 
 private:
     using Between = HermiteNinth<3>;
     struct Stretch {
         State begin;
-        std::unique_ptr<const Between> between;  // once it is asked for
-        bool lands = false;                      // on a star: no polynomial
+        double from, length;                       // |t|
+        std::unique_ptr<const Between> between{};  // once it is asked for
+        bool lands = false;                        // on a star: no polynomial
+    };
+    struct Way {
+        std::vector<Stretch> stretches;
+        bool still = false;  // r stays what it is in the last stretch: on a horizon, on a star, in a circle
+        double rate = 0;     // d(phi)/d|t| there
+    };
+    struct Period {
+        double time, angle;  // from one smallest radius to the next
     };
     static constexpr double kStep = 0.02;  // r_s/c: the shortest time in which anything happens outside is some r_s/c
-    static constexpr double kStretch = 0.06;  // its places are at most a step apart
+    static constexpr double kStretch = 0.06;      // its places are at most a step apart
+    static constexpr double kNear = 16;           // r_s: farther out both grow with the radius
+    static constexpr double kLong = 1e4;          // r_s/c: later, a bound orbit is known by its period
+    static constexpr std::size_t kMost = 400000;  // stretches in which a period is looked for
+
+    static double stretch_at(double r) { return kStretch * std::max(1.0, r / kNear); }
+
+    void extend(Way& way, double sense) const {
+        const Stretch& last = way.stretches.back();
+        const State end = stepped(last.begin, sense * last.length);
+        way.still = end[0] == last.begin[0] && end[1] == last.begin[1];
+        way.rate = (end[2] - last.begin[2]) / last.length;
+        way.stretches.push_back(Stretch{end, last.from + last.length, stretch_at(end[0])});
+    }
+    State along(double t) {
+        const double sense = t < 0 ? -1 : 1, time = std::fabs(t);
+        Way& way = ways_[t < 0];
+        while (!way.still && time >= way.stretches.back().from + way.stretches.back().length) extend(way, sense);
+        if (const Stretch& last = way.stretches.back(); way.still && time >= last.from)
+            return {last.begin[0], last.begin[1], last.begin[2] + way.rate * (time - last.from)};
+        Stretch& stretch = *std::prev(std::ranges::upper_bound(way.stretches, time, {}, &Stretch::from));
+        if (!stretch.between && !stretch.lands) look_between(stretch, sense);
+        if (stretch.between) return (*stretch.between)((time - stretch.from) / stretch.length).value;
+        return stepped(stretch.begin, sense * (time - stretch.from));
+    }
+    // Whether there is one that ends before `until`.
+    bool find_period(double until) {
+        Way& way = ways_[0];
+        for (; !period_ && !way.still && searched_ < kMost && way.stretches[searched_].from < until; ++searched_) {
+            if (way.stretches.size() < searched_ + 2) extend(way, 1);
+            const Stretch& stretch = way.stretches[searched_];
+            if (!(stretch.begin[1] < 0 && way.stretches[searched_ + 1].begin[1] >= 0)) continue;
+            double inward = 0, outward = stretch.length;
+            for (int i = 0; i < 60; ++i) {
+                const double middle = 0.5 * (inward + outward);
+                (stepped(stretch.begin, middle)[1] < 0 ? inward : outward) = middle;
+            }
+            const Period least{stretch.from + outward, stepped(stretch.begin, outward)[2]};
+            if (least_) period_ = {least.time - least_->time, least.angle - least_->angle};
+            least_ = least;
+        }
+        return period_.has_value();
+    }
 
     void look_between(Stretch& stretch, double sense) const {
         std::array<Between::Known, Between::kPlaces> known;
         State next = stretch.begin;
         for (std::size_t i = 0; i < known.size(); ++i) {
-            const double h = i > 0 ? sense * kStretch * (Between::kAt[i] - Between::kAt[i - 1]) : 0;
+            const double h = i > 0 ? sense * stretch.length * (Between::kAt[i] - Between::kAt[i - 1]) : 0;
             const State before = std::exchange(next, after(next, h));
             if (!is_above(2 * next[0] - before[0])) stretch.lands = true;
             known[i].value = next;
             slope(next, known[i].slope);
-            for (double& s : known[i].slope) s *= sense * kStretch;
+            for (double& s : known[i].slope) s *= sense * stretch.length;
         }
         if (!stretch.lands) stretch.between = std::make_unique<const Between>(known);
     }
     State stepped(State s, double h) const {
-        for (; std::fabs(h) > kStep; h -= std::copysign(kStep, h)) s = landed(s, std::copysign(kStep, h));
+        const double step = kStep / kStretch * stretch_at(s[0]);
+        for (; std::fabs(h) > step; h -= std::copysign(step, h)) s = landed(s, std::copysign(step, h));
         return landed(s, h);
     }
     bool is_above(double r) const {
@@ -97,7 +149,9 @@ private:
     }
     const OrbitMetric& metric_;
     double horizon_, momentum_;
-    std::array<std::vector<Stretch>, 2> ways_;
+    std::array<Way, 2> ways_;  // forward and back
+    std::size_t searched_ = 0;
+    std::optional<Period> least_, period_;  // the first smallest radius: since the start
     std::mutex mutex_;
 };
 

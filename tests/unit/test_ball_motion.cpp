@@ -13,8 +13,9 @@ namespace {
 
 using namespace nullscope;
 
+constexpr double kPlace = 5e-6;  // r_s: the host stops 1e-6 of it short of a horizon or a star
+
 TEST_CASE("ball motion: free fall, past the hole, into it and out of its past, is the reference's") {
-    constexpr double kPlace = 5e-6;  // r_s: the host stops 1e-6 of it short of a horizon or a star
     struct Case {
         const char* metric;
         std::map<std::string, double> parameters;
@@ -43,6 +44,43 @@ TEST_CASE("ball motion: free fall, past the hole, into it and out of its past, i
             }
         fmt::print("free fall in {}: off by at most {:.1e} r_s, at t = {:.1f}\n", c.metric, worst, when);
         CHECK(worst < kPlace);
+    }
+}
+
+// A camera at 1e9 r_s sees a ball as it was then.
+TEST_CASE(
+    "ball motion: long ago, in orbit, escaped, fallen in, is the reference's; circles and straight ways are closed "
+    "forms") {
+    constexpr double kShare = 1e-11;  // of the time, in r_s: the host's error in a period is that of 1e-11 a step
+    const auto spacetime = *make_spacetime("schwarzschild", {});
+    const auto metric = std::move(*reference::make_metric({"schwarzschild", {}}));
+    for (const Vec3 velocity :
+         {Vec3{0.05, 0.1, 0.3}, Vec3{0, 0.2, 0.35}, Vec3{0.3, 0, 0.1}, Vec3{-0.1, 0, 0.1}, Vec3{0, 0, 0}}) {
+        BallSpec ball;
+        ball.motion = BallMotion::kGeodesic, ball.position = {8, 0, 1}, ball.velocity = velocity;
+        const auto exact = reference::ball_way(*metric, ball);
+        const auto motion = ball_motion(*spacetime, ball);
+        REQUIRE(motion);
+        for (const double t : {-1.2e4, 3e4, -1e6, 1e7, -1e9, 1e9}) {
+            const double off = length((*motion)(t).place - exact(t));
+            CAPTURE(velocity.x);
+            CAPTURE(velocity.z);
+            CAPTURE(t);
+            CHECK(off < kPlace + kShare * std::fabs(t));
+        }
+    }
+    BallSpec circling;  // dphi/dt = sqrt(1/(2 r^3)); one at rest there measures the speed r dphi/dt / sqrt(1 - 1/r)
+    circling.motion = BallMotion::kGeodesic, circling.position = {8, 0, 0},
+    circling.velocity = {0, 0, 1 / std::sqrt(14.0)};
+    const auto exact = reference::ball_way(*metric, circling);
+    const auto motion = ball_motion(*spacetime, circling);
+    REQUIRE(motion);
+    for (const double t : {1e3, -1e5, 1e8}) {
+        const double phi = t * std::sqrt(1.0 / (2.0 * 8 * 8 * 8));
+        const Vec3 place{8 * std::cos(phi), 8 * std::sin(phi), 0};
+        CAPTURE(t);
+        CHECK(length(exact(t) - place) < kShare * std::fabs(t));
+        CHECK(length((*motion)(t).place - place) < kShare * std::fabs(t));
     }
 }
 
