@@ -1,4 +1,4 @@
-// The celestial sphere at infinity, a cube map in linear light.
+// The celestial sphere at infinity, faces of a cube in linear light.
 //
 // The footprint's sides on the sky are the pixel's angle times d(phi)/d(alpha) along the ray's plane and sin(phi)/sin(alpha) across it.
 // A picture of one ray a pixel takes one trilinear fetch, so that no frame is dearer than another. Its level lies between the two sides:
@@ -11,6 +11,7 @@
 #endif
 #endif
 #include "effect/sampling.glsl"
+#include "object/sky_face.glsl"
 #include "path/trace"
 #include "shared/frame.glsl"
 
@@ -23,7 +24,7 @@ float sky_texels(Trace trace) {
 // log2 of what a fetch has to span, texels, for sides in texels.
 float sky_span(float along, float across) {
     float wide = max(along, across);
-    return 0.5 * log2(max(0.36 * wide * wide, along * across));
+    return footprint_detail(max(0.36 * wide * wide, along * across));
 }
 
 float sky_detail(Trace trace) {
@@ -82,48 +83,30 @@ vec3 sky_shift(Trace trace) {
 #endif
 
 #ifdef EFFECT_SKY
-#ifdef EFFECT_FAR_SKY
 uniform highp sampler2DArray sky_texture;
 
-// The skies of both ends of a wormhole as layers of one texture: every ray fetches once, whichever sky it ends on. (Software drivers run
-// both sides of a branch: two cube maps would be two fetches a pixel.) Faces as OpenGL's cube maps have them, with a border of the
-// faces beside them, src/sky/sky.h.
+// Through a wormhole every ray fetches once, whichever sky it ends on. (Software drivers run both sides of a branch: two textures would be
+// two fetches a pixel.)
 vec3 celestial_sphere(Trace trace, SkyFetches fetches) {
-    vec3 d = trace.sky;
-    vec3 size = abs(d);
-    bool on_x = size.x >= max(size.y, size.z), on_y = !on_x && size.y >= size.z;
-    float facing = (on_x ? d.x : on_y ? d.y : d.z) < 0.0 ? -1.0 : 1.0;
-    float layer = (on_x ? 0.0 : on_y ? 2.0 : 4.0) + (0.5 - 0.5 * facing) + (trace.escapes ? 0.0 : 6.0);
+    SkyFace face = sky_face(trace.sky);
+#ifdef EFFECT_FAR_SKY
+    face.layer += trace.escapes ? 0.0 : 6.0;
+#endif
     vec3 light = vec3(0.0);
     float part = 0.5;
     do {   // tested at the end, see disc_cover
-        vec3 at = d + fetches.longer * (part / fetches.count - 0.5);
-        float major = abs(on_x ? at.x : on_y ? at.y : at.z);
-        vec2 place = on_x ? vec2(-facing * at.z, -at.y) : on_y ? vec2(at.x, facing * at.z) : vec2(facing * at.x, -at.y);
-        light += textureLod(sky_texture, vec3(place * (frame.sky.w / major) + 0.5, layer), fetches.level).rgb;
+        vec3 at = trace.sky + fetches.longer * (part / fetches.count - 0.5);
+        light += textureLod(sky_texture, sky_face_place(face, at), fetches.level).rgb;
         part += 1.0;
     } while (part < fetches.count);
     light *= frame.sky.z / fetches.count;
 #ifdef EFFECT_SKY_SHIFT
+#ifdef EFFECT_FAR_SKY
     light *= trace.escapes ? sky_shift(trace) : vec3(1.0);
-#endif
-    return light;
-}
 #else
-uniform samplerCube sky_texture;
-
-vec3 celestial_sphere(Trace trace, SkyFetches fetches) {
-    vec3 light = vec3(0.0);
-    float part = 0.5;
-    do {
-        light += textureLod(sky_texture, trace.sky + fetches.longer * (part / fetches.count - 0.5), fetches.level).rgb;
-        part += 1.0;
-    } while (part < fetches.count);
-    light *= frame.sky.z / fetches.count;
-#ifdef EFFECT_SKY_SHIFT
     light *= sky_shift(trace);
 #endif
+#endif
     return light;
 }
-#endif
 #endif

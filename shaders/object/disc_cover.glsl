@@ -28,7 +28,7 @@ vec4 disc_filtered(vec2 middle, vec2 a, vec2 b) {
     // One tap, or two along the longer side of a footprint that is long and more than one texel wide.
     bool two = longer2 > 2.0 && longer2 > 2.25 * area;
     float side2 = two ? max(0.25 * longer2, area) : longer2;
-    float level = footprint_level(0.5 * log2(max(side2, 1.0e-12)), frame.disc_map.w);
+    float level = footprint_level(footprint_detail(side2), frame.disc_map.w);
     vec2 step = two ? 0.5 * wide : vec2(0.0);
     vec2 place = middle - 0.5 * step;
     vec4 texel = vec4(0.0);

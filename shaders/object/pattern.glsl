@@ -22,7 +22,7 @@ vec3 BODY_image(vec2 uv, vec2 a, vec2 b) {
     float aa = dot(wide, wide);
     float bb = dot(high, high);
     float side2 = max(0.36 * max(aa, bb), abs(wide.x * high.y - wide.y * high.x));
-    float level = footprint_level(0.5 * log2(max(side2, 1.0e-12)), 16.0);
+    float level = footprint_level(footprint_detail(side2), 16.0);
     return textureLod(IMAGE, uv, level).rgb;
 }
 #endif

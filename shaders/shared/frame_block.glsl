@@ -39,7 +39,7 @@ struct FrameData {
     vec4 boost_colour; // the stretch of frequencies, 1 without Doppler shift; log2 of the brightness of the sky's temperature, 0, 0
 #endif
 #ifdef BLOCK_SKY
-    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness; two skies: half of what a face is of its layer
+    vec4 sky;          // texels per radian of the sky's finest level, highest level, brightness
 #endif
 #ifdef BLOCK_SKY_SHIFT
     vec4 sky_light;    // factor on the sky's light; for a moving camera on that and a black body's, .w = log2 of the sky's temperature (K)

@@ -1,4 +1,4 @@
-// nullscope bench frames: what a frame costs, against the same frame in flat space and against one bare cube-map fetch a pixel,
+// nullscope bench frames: what a frame costs, against the same frame in flat space and against one bare fetch of the sky a pixel,
 // drawn in turn (A B C A B C ...) so that a noisy machine does not decide.
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ Result<Json> measure(const Bench& bench, const Scene& scene, int frames) {
     bench.draw(bench.renderer());  // compiles
     gl::finish();
     const double first_ms = watch.ms();
-    const auto fetch = [&] {  // of a sky that is a cube map, a wormhole's or not
+    const auto fetch = [&] {
         bench.other->draw_bare_fetch(bench.target.framebuffer.id(), bench.target.width, bench.target.height);
     };
     Progress progress("bench " + scene.name, frames);

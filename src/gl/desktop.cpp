@@ -30,7 +30,6 @@ void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* use
 }
 
 void prepare_context() {
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glDisable(GL_DITHER);
 }
 

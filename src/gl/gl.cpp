@@ -100,7 +100,6 @@ void read_rows(const Target& target, int attachment, int first, int rows, GLenum
 Info info() {
     Info i{text_of(GL_VERSION), text_of(GL_RENDERER), text_of(GL_VENDOR), text_of(GL_SHADING_LANGUAGE_VERSION)};
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &i.max_texture_size);
-    glGetIntegerv(GL_MAX_CUBE_MAP_TEXTURE_SIZE, &i.max_cube_size);
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &i.max_renderbuffer_size);
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &i.max_layers);
     return i;
@@ -219,31 +218,24 @@ Texture make_rgba8_texture(int width, int height, const unsigned char* rgba) {
 Texture make_sky(int size, int levels, int layers, bool halves) {
     const SkyTexelKind kind = sky_texel_kind(halves);
     const auto stored = static_cast<GLint>(kind.stored);
-    const GLenum target = layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_CUBE_MAP;
+    constexpr GLenum target = GL_TEXTURE_2D_ARRAY;
     Texture texture(new_texture(target));
     set_sampling(target, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
     glTexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
     glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
     for (int level = 0; level < levels; ++level) {
         const int side = size >> level;
-        if (layers > 0) glTexImage3D(target, level, stored, side, side, layers, 0, kind.format, kind.type, nullptr);
-        for (GLenum face = 0; layers == 0 && face < 6; ++face)
-            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, stored, side, side, 0, kind.format, kind.type,
-                         nullptr);
+        glTexImage3D(target, level, stored, side, side, layers, 0, kind.format, kind.type, nullptr);
     }
     check("sky texture");
     return texture;
 }
 
-void fill_sky(const Texture& texture, bool layered, const SkyTexels& t) {
-    bind(0, layered ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_CUBE_MAP, texture.id());
+void fill_sky(const Texture& texture, const SkyTexels& t) {
+    bind(0, GL_TEXTURE_2D_ARRAY, texture.id());
     const SkyTexelKind kind = sky_texel_kind(t.halves);
-    if (layered)
-        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, t.level, 0, t.first_row, t.layer, t.width, t.rows, 1, kind.format,
-                        kind.type, t.texels);
-    else
-        glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(t.layer), t.level, 0, t.first_row, t.width,
-                        t.rows, kind.format, kind.type, t.texels);
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, t.level, 0, t.first_row, t.layer, t.width, t.rows, 1, kind.format, kind.type,
+                    t.texels);
 }
 
 Buffer make_uniform_buffer(std::size_t bytes) {
@@ -328,7 +320,6 @@ void set_integer(const Program& program, const char* uniform, int value) {
 }
 
 void bind_texture_2d(int unit, const Texture& texture) { bind(unit, GL_TEXTURE_2D, texture.id()); }
-void bind_texture_cube(int unit, const Texture& texture) { bind(unit, GL_TEXTURE_CUBE_MAP, texture.id()); }
 void bind_texture_layers(int unit, const Texture& texture) { bind(unit, GL_TEXTURE_2D_ARRAY, texture.id()); }
 
 void set_linear(const Texture& texture) {

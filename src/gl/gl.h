@@ -25,7 +25,7 @@ void prepare_context();
 
 struct Info {
     std::string version, renderer, vendor, glsl;
-    int max_texture_size = 0, max_cube_size = 0, max_renderbuffer_size = 0, max_layers = 0;
+    int max_texture_size = 0, max_renderbuffer_size = 0, max_layers = 0;
 };
 Info info();
 void check(const char* where);  // throws GlError if glGetError has something to say
@@ -92,15 +92,14 @@ struct HalfTexels {
 Texture make_picture_texture(const std::vector<HalfTexels>& levels);
 // Colours for the eye: RGBA8 as they are, nearest, one level, top row first.
 Texture make_rgba8_texture(int width, int height, const unsigned char* rgba);
-// Skies: texels that come packed, by fill_sky, of R11F_G11F_B10F or (halves) RGBA16F. Trilinear. layers 0: a cube map's six faces, seamless;
-// else each is a face. throws GlError where the driver has no memory for it.
+// Skies: texels that come packed, by fill_sky, of R11F_G11F_B10F or (halves) RGBA16F. Trilinear; each layer is a face. throws GlError where the driver has no memory for it.
 Texture make_sky(int size, int levels, int layers, bool halves);
 struct SkyTexels {
     int layer, level, first_row, rows, width;
     bool halves;
     const void* texels;
 };
-void fill_sky(const Texture& texture, bool layered, const SkyTexels& texels);
+void fill_sky(const Texture& texture, const SkyTexels& texels);
 
 Buffer make_uniform_buffer(std::size_t bytes);
 void upload_uniforms(const Buffer& buffer, const void* data, std::size_t bytes);
@@ -181,7 +180,6 @@ void draw_points(const Program& program, const VertexList& vertices, int count, 
 void set_integer(const Program& program, const char* uniform,
                  int value);  // a sampler's is its unit; silent if there is none
 void bind_texture_2d(int unit, const Texture& texture);
-void bind_texture_cube(int unit, const Texture& texture);
 void bind_texture_layers(int unit, const Texture& texture);
 void set_linear(const Texture& texture);  // of a 2D texture without mip levels: filtered between texels
 // Copies a colour texture over a framebuffer of another size or the same (0: the window), or from column to_x on into it. The texture

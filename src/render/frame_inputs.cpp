@@ -91,7 +91,7 @@ void FrameInputs::begin_skies(const FrameTables& tables, std::vector<std::string
     const SkyAsked asked = sky_asked(scene, tables.effects());
     if (asked != sky_asked_) {  // it may look into files
         sky_asked_ = asked;
-        const int most = std::min(info_.max_cube_size, std::max(largest_picture_, kUsualSkyFace));
+        const int most = std::min(largest_face(info_.max_texture_size), std::max(largest_picture_, kUsualSkyFace));
         sky_faces_ = asked.near || asked.far ? sky_faces(asked, most) : SkyFaces();
         if (sky_faces_.halves && sky_faces_.coarse()) notes.push_back("sky.image: " + sky_faces_.words());
     }
@@ -169,8 +169,7 @@ void FrameInputs::bind() const {
 }
 
 TextureFacts FrameInputs::facts() const {
-    return {skies_.size(),  disc_.width,
-            skies_.both(),  hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt,
+    return {skies_.size(), disc_.width, hottest_.by ? std::optional(hottest_.temperature_K) : std::nullopt,
             medium_.grid(), skies_.light()};
 }
 
@@ -189,7 +188,7 @@ std::vector<TextureLine> FrameInputs::lines(const FrameTables& tables) const {
             {"deflection table", table_key_->second.size + 1, 2 * (table_key_->second.size + 1), table_bytes_});
     if (ball_paths_) add("ball paths", tables.ball_paths().rows.width, tables.ball_paths().rows.height, kTexel);
     if (clearances_) add("surface clearance", kClearanceWidth, tables.clearances().rows(), kNumber);
-    const int face = skies_.both() ? bordered_size(skies_.size()) : skies_.size();
+    const int face = bordered_size(skies_.size());
     if (skies_.far()) add("far sky", face, face, sky);
     if (skies_.near()) add("sky", face, face, sky);
     if (disc_.texture) add("disc image", disc_.width, disc_.height, kPicture);

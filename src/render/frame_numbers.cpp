@@ -107,10 +107,7 @@ double star_share(const FramePlan& plan) {
 
 void put_sky(FrameData& frame, const FramePlan& plan, const TextureFacts& textures) {
     const int size = std::max(textures.sky_size, 1);
-    if (textures.two_skies)
-        frame.sky = {0.5 * size, sky_levels(size, true) - 1.0, textures.sky_light, 0.5 * size / bordered_size(size)};
-    else
-        frame.sky = {0.5 * textures.sky_size, std::log2(size), textures.sky_light, 0};
+    frame.sky = {0.5 * size, sky_levels(size) - 1.0, textures.sky_light, 0};
     frame.point_stars = {star_share(plan) * point_peak(), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2,
                          1.0 / kFaintestPoint, kPointMargin_px};
     frame.point_spread = {M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0};

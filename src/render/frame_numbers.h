@@ -13,7 +13,6 @@ namespace nullscope {
 // What textures tell the uniform block.
 struct TextureFacts {
     int sky_size = 0, disc_width = 0;
-    bool two_skies = false;                    // in one texture, with borders
     std::optional<double> disc_temperature_K;  // of the hottest ring; without one the scene's
     const MediumGrid* grid = nullptr;          // of a medium that has one
     double sky_light = 1.0;                    // of a texel of 1

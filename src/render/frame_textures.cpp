@@ -25,7 +25,7 @@
 namespace nullscope {
 namespace {
 
-constexpr int kMostCubeFace = 16384;                           // px; what drivers allow is said by `nullscope info`
+constexpr int kMostTexture = 16384;                            // px; what drivers allow is said by `nullscope info`
 constexpr long long kTexel = 16, kHalfTexel = 8, kNumber = 4;  // bytes
 constexpr long long kMipThirds = 4;                            // with mip levels: thirds of the finest one
 
@@ -92,8 +92,8 @@ void add_rays(const FrameTables& tables, List& to) {
 void add_skies(const Scene& scene, const EffectSet& effects, List& to) {
     const bool far = effects.contains(Effect::kFarSky), near = effects.contains(Effect::kSky);
     if (!far && !near) return;
-    const SkyFaces faces = sky_faces(sky_asked(scene, effects), kMostCubeFace);
-    const long long size = far && near ? bordered_size(faces.size) : faces.size;
+    const SkyFaces faces = sky_faces(sky_asked(scene, effects), largest_face(kMostTexture));
+    const long long size = bordered_size(faces.size);
     const long long bytes = 6 * kMipThirds * size * size * (faces.halves ? kHalfTexel : kNumber) / 3;
     const std::string words = fmt::format("{}; {}", faces.words(), faces.halves ? "half floats" : "small floats");
     if (far) to.add("far sky", 6, size, size, bytes, is<Effect::kFarSky>).reason = words;

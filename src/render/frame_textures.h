@@ -22,7 +22,7 @@ struct FrameTexture {
 // What Renderer::textures() and frame_textures() call the image of number `image` of body_images().
 std::string body_image_name(const Scene& scene, int image);
 
-// In the order: tables of rays, of bodies, skies, light, pictures. Sizes of skies are those of a driver with cube maps of 16384 px. Cost:
+// In the order: tables of rays, of bodies, skies, light, pictures. Sizes of skies are those of a driver with textures of 16384 px. Cost:
 // reads the images, stars, meshes and grids of the scene. Errors: one of them cannot be read.
 Result<std::vector<FrameTexture>> frame_textures(const FrameTables& tables);
 

@@ -89,7 +89,7 @@ public:
     // The same in pieces, each finished before the next: rows counted from the bottom.
     void draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last);
 
-    // A baseline: one cube-map fetch a pixel. Needs a prepared scene with a sky.
+    // A baseline: one fetch of the sky a pixel. Needs a prepared scene with a sky.
     void draw_bare_fetch(unsigned framebuffer, int width, int height);
 
     // The prepared scene, read back; rows from the top.

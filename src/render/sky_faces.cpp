@@ -22,7 +22,7 @@ SkyAsked sky_asked(const Scene& scene, const EffectSet& effects) {
     return asked;
 }
 
-SkyFaces sky_faces(const SkyAsked& asked, int max_cube_size) {
+SkyFaces sky_faces(const SkyAsked& asked, int largest) {
     constexpr double kLeast = 256, kUsual = kUsualSkyFace;  // px
     constexpr double kImageMost =
         sizeof(void*) > 4 ? 4096 : kUsual;  // 1 GB: more than a page's 32 bits of memory are for
@@ -42,7 +42,7 @@ SkyFaces sky_faces(const SkyAsked& asked, int max_cube_size) {
         if (skies.size() == 1 && faces.asked > SkyFaces::kWorth * kUsual) size = kImageMost;
     }
     size = std::bit_ceil(static_cast<unsigned>(std::max(size, kLeast)));
-    faces.size = std::min(static_cast<int>(size), max_cube_size);
+    faces.size = std::min(static_cast<int>(size), largest);
     return faces;
 }
 

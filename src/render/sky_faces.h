@@ -16,8 +16,8 @@ struct SkyAsked {
 };
 SkyAsked sky_asked(const Scene& scene, const EffectSet& effects);
 
-// Faces of the skies' cube maps, px along a side: as fine as the rays, a power of two from 256 to 2048, of the image of one sky to 4096, if it is
-// so fine; no more than the driver allows. Looks into the image's file where the rays ask for more than 2048.
+// Faces of the skies, px along a side: as fine as the rays, a power of two from 256 to 2048, of the image of one sky to 4096, if it is so fine;
+// at most `largest`. Looks into the image's file where the rays ask for more than 2048.
 inline constexpr int kUsualSkyFace = 2048;
 struct SkyFaces {
     static constexpr double kWorth = 1.2;  // a fifth more is not worth four times the memory: 1 GB at 4096
@@ -27,6 +27,6 @@ struct SkyFaces {
     bool coarse() const { return asked > kWorth * size; }
     std::string words() const;  // why they have this size, and what they lack
 };
-SkyFaces sky_faces(const SkyAsked& asked, int max_cube_size);
+SkyFaces sky_faces(const SkyAsked& asked, int largest);
 
 }  // namespace nullscope

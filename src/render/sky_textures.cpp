@@ -12,7 +12,7 @@ void SkyTextures::begin(const std::optional<SkySpec>& near, const std::optional<
     if (near_ == near && far_ == far && size_ == size) return;
     *this = {};
     near_ = near, far_ = far, size_ = size;
-    const int border = both() ? size / kBorderOf : 0;
+    const int border = size / kBorderOf;
     for (const auto* spec : {&near_, &far_})
         if (*spec)
             painters_.push_back(std::async(std::launch::async, [spec = **spec, size, border] {
@@ -23,7 +23,6 @@ void SkyTextures::begin(const std::optional<SkySpec>& near, const std::optional<
 Status SkyTextures::finish(std::vector<std::string>& notes) {
     if (painters_.empty()) return Done{};
     SkyTextures work = std::exchange(*this, {});  // nothing stays loaded where something fails
-    const int levels = sky_levels(work.size_, work.both());
     std::vector<SkyPainter> painters;
     double largest = 0.0;
     for (auto& coming : std::exchange(work.painters_, {})) {
@@ -36,12 +35,12 @@ Status SkyTextures::finish(std::vector<std::string>& notes) {
     }
     work.packing_.scale = packing_scale(work.packing_.format, largest);
     const bool halves = work.packing_.format == SkyFormat::kHalfFloats;
-    gl::Texture& texture = work.both() ? work.layers_ : work.near_ ? work.near_cube_ : work.far_cube_;
-    texture = gl::make_sky(work.both() ? bordered_size(work.size_) : work.size_, levels, work.both() ? 12 : 0, halves);
+    work.layers_ = gl::make_sky(bordered_size(work.size_), sky_levels(work.size_),
+                                6 * static_cast<int>(painters.size()), halves);
     int layer = 0;
     for (const SkyPainter& painter : painters) {
         pack_sky(painter, work.packing_, [&](const PackedRows& rows) {
-            gl::fill_sky(texture, work.both(),
+            gl::fill_sky(work.layers_,
                          {layer + rows.face, rows.level, rows.first, rows.count, rows.width, halves, rows.texels});
         });
         layer += 6;
@@ -52,9 +51,7 @@ Status SkyTextures::finish(std::vector<std::string>& notes) {
 }
 
 void SkyTextures::bind(int near_unit, int far_unit) const {
-    gl::bind_texture_cube(near_unit, near_cube_);
-    gl::bind_texture_layers(near_unit, layers_);
-    gl::bind_texture_cube(far_unit, far_cube_);
+    gl::bind_texture_layers(near() ? near_unit : far_unit, layers_);
 }
 
 }  // namespace nullscope

@@ -1,5 +1,5 @@
-// The skies of a scene as textures: one is a cube map; two, of a wormhole's sides, are layers of one texture, so that a pixel fetches once
-// (shaders/object/celestial_sphere.glsl).
+// The skies of a scene as one texture: the faces are layers, six for each side of a wormhole, so that a pixel fetches once
+// (shaders/object/sky_face.glsl).
 #pragma once
 #include <future>
 #include <optional>
@@ -27,12 +27,11 @@ public:
     int size() const { return size_; }                     // of a face
     double light() const { return 1.0 / packing_.scale; }  // of a texel of 1
     std::size_t texel_bytes() const { return nullscope::texel_bytes(packing_.format); }
-    bool both() const { return near_ && far_; }
     bool near() const { return near_.has_value(); }
     bool far() const { return far_.has_value(); }
 
 private:
-    gl::Texture near_cube_, far_cube_, layers_;
+    gl::Texture layers_;  // the near sky's first
     std::optional<SkySpec> near_, far_;  // that are loaded, or begun
     int size_ = 0;
     SkyPacking packing_;                                     // of both

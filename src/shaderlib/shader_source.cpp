@@ -188,7 +188,7 @@ std::string_view shader_head(Glsl language) {
     constexpr std::string_view kDesktop = "#version 330 core\nprecision highp float;\nprecision highp int;\n";
     constexpr std::string_view kEs =
         "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
-        "precision highp samplerCube;\nprecision highp sampler2DArray;\n";
+        "precision highp sampler2DArray;\n";
     return language == Glsl::kEs300 ? kEs : kDesktop;
 }
 

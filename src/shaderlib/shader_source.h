@@ -11,7 +11,7 @@
 namespace nullscope {
 
 // kEdges: marks the picture's pixels that differ much from a neighbour. kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
-// linear light. kDevelop: from it to the display. kRayDepth: beside ray data, for layers. kBareFetch: one cube-map fetch a pixel,
+// linear light. kDevelop: from it to the display. kRayDepth: beside ray data, for layers. kBareFetch: one fetch of the sky a pixel,
 // a baseline of cost. Tiles are squares of the picture. kRays: the rays through their corners. kTiles: which bodies they may show;
 // kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated;
 // in the others kSkyTiles, where neither body nor disc is seen; kFullDisc, where nothing but the disc is; kDiscTiles, where no body is;

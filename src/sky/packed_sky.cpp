@@ -22,7 +22,7 @@ constexpr int kShift11 = 17, kShift10 = 18;  // bits of a float's mantissa that 
 constexpr float kMost11 = 65024.0f, kMost10 = 64512.0f;
 
 // A band is so many rows that it holds one row of the level of 16 texels.
-constexpr int kCoarsest = 16;
+constexpr int kCoarsest = 16, kCoarsestBordered = bordered_size(kBorderOf) * kCoarsest / kBorderOf;
 constexpr int kPaintedAtOnce = 32;  // rows: the floats of a face of 2048 then fit a core's cache
 constexpr int kBandsAThread = 2;    // painted while as many are handed over: 6 MB a thread at 2048
 
@@ -138,15 +138,29 @@ private:
     tbb::enumerable_thread_specific<Scratch> scratch_;
 };
 
-// The levels of less than kCoarsest texels, from that one.
+// The mean of what lies under each of `count` x `count` equal parts of width x width numbers.
+void shrink(const std::vector<float>& from, int width, int count, std::vector<float>& to) {
+    const double step = static_cast<double>(width) / count;
+    const auto share = [&](int part, int i) {  // of number i, in that part
+        return std::max(0.0, std::min((part + 1) * step, i + 1.0) - std::max(part * step, i + 0.0)) / step;
+    };
+    std::fill_n(to.begin(), area(count, count), 0.0f);
+    for (int y = 0; y < count * width; ++y)
+        for (int x = 0; x < count * width; ++x)
+            to[area(count, y / width) + static_cast<std::size_t>(x / width)] +=
+                static_cast<float>(share(y / width, y % width) * share(x / width, x % width)) *
+                from[area(width, y % width) + static_cast<std::size_t>(x % width)];
+}
+
+// The levels of less than a border, from the coarsest with one.
 void hand_over_rest(int face, int level, Planes planes, const SkyPacking& packing,
                     const std::function<void(const PackedRows&)>& take) {
     Planes half;
     resize(half, planes[0].size());
     std::vector<std::uint64_t> texels(planes[0].size());
     auto* bytes = reinterpret_cast<std::byte*>(texels.data());
-    for (int width = kCoarsest / 2; width > 0; width /= 2) {
-        for (std::size_t c = 0; c < 3; ++c) halve(planes[c].data(), 2 * width, 2 * width, half[c].data());
+    for (int before = kCoarsestBordered, width = before / 2; width > 0; before = width, width /= 2) {
+        for (std::size_t c = 0; c < 3; ++c) shrink(planes[c], before, width, half[c]);
         std::swap(planes, half);
         pack_planes(planes, area(width, width), packing, bytes);
         take({face, level++, 0, width, width, bytes});
@@ -207,12 +221,11 @@ void pack_sky(const SkyPainter& painter, const SkyPacking& packing,
         next.run([&] { make(first + at_once, halves[1]); });
         for (int band = first; band < std::min(first + at_once, bands.count()); ++band) {
             bands.hand_over(band, halves[0].of(band % at_once), take);
-            if (painter.border() > 0) continue;
             if (band % bands.of_face() == 0) coarsest = {};
             const float* row = halves[0].coarsest(band % at_once);
             for (std::vector<float>& plane : coarsest)
-                plane.insert(plane.end(), row, row + kCoarsest), row += kCoarsest;
-            if (coarsest[0].size() == kCoarsest * kCoarsest)
+                plane.insert(plane.end(), row, row + kCoarsestBordered), row += kCoarsestBordered;
+            if (coarsest[0].size() == kCoarsestBordered * kCoarsestBordered)
                 hand_over_rest(band / bands.of_face(), bands.levels(), coarsest, packing, take);
         }
         next.wait();

@@ -27,15 +27,19 @@ std::uint64_t half_light(float red, float green, float blue);
 // for small floats.
 double packing_scale(SkyFormat format, double largest);
 
-// Faces in textures that are no cube maps (shaders/object/celestial_sphere.glsl) show beside them what lies there. Of kBorderOf texels of
-// a face one on each side is border: half a texel of the level of 16 texels, the coarsest that is filtered without a seam.
+// Faces are layers of a texture (shaders/object/sky_face.glsl) and show beside them what lies there. Of kBorderOf texels of a face one on
+// each side is border: half a texel of the level of 16 texels, the coarsest that is filtered without a seam. Below it are levels of 8 texels
+// and fewer, border and all, for pictures of a few pixels.
 inline constexpr int kBorderOf = 32;
-inline int bordered_size(int face_size) { return face_size + 2 * (face_size / kBorderOf); }
+constexpr int bordered_size(int face_size) { return face_size + 2 * (face_size / kBorderOf); }
 
-// Levels down to one texel; with a border down to a face of 16.
-inline int sky_levels(int face_size, bool bordered) {
-    return std::bit_width(static_cast<unsigned>(bordered ? face_size / 16 : face_size));
+// The largest face, a power of two, whose texture has at most so many px a side.
+inline int largest_face(int texture_size) {
+    return static_cast<int>(std::bit_floor(static_cast<unsigned>(texture_size / (kBorderOf + 2) * kBorderOf)));
 }
+
+// Down to one texel.
+inline int sky_levels(int face_size) { return std::bit_width(static_cast<unsigned>(bordered_size(face_size))); }
 
 // What is handed over: rows [first, first + count) of a level of a face, border included, packed.
 struct PackedRows {
@@ -50,7 +54,7 @@ struct SkyPacking {
 };
 
 // All of the sky once, each level in rows from the first: the mean of the level before it, in float, rounded once. `take` is called on this
-// thread alone. Parallel: 0.35 s of processor time for the stars at 2048. Memory at 2048: 7 MB for each thread, 13 MB of half floats.
+// thread alone. The painter's border is bordered_size's. Parallel: 0.35 s of processor time for the stars at 2048. Memory at 2048: 7 MB for each thread, 13 MB of half floats.
 void pack_sky(const SkyPainter& painter, const SkyPacking& packing, const std::function<void(const PackedRows&)>& take);
 
 }  // namespace nullscope

@@ -22,7 +22,7 @@ struct FrameData {
 layout(std140) uniform FrameBlock { FrameData frame; };
 uniform highp sampler2D strip_texture;
 vec4 strip_fetch(int x, int y) { return texelFetch(strip_texture, ivec2(x, y), 0); }
-uniform samplerCube sky_texture;
+uniform highp sampler2DArray sky_texture;
 float arc_tangent_unit(float t) {
     float z = t * t;
     float p = 0.0020492594004690575;
@@ -144,22 +144,30 @@ Trace trace_pixel(vec2 pixel) {
     trace.stretch_across = sweep.ratio;
     return trace;
 }
+float footprint_detail(float area) { return float(floatBitsToInt(area)) * (0.5 / 8388608.0) - 63.4785; }
 float footprint_level(float detail, float highest) {
     float level = clamp(detail, 0.0, highest);
     float whole = floor(level);
     return whole + clamp(2.5 * (level - whole) - 0.75, 0.0, 1.0);
 }
 float sky_level(Trace trace) {
-    float along = abs(trace.stretch_along);
-    float across = abs(trace.stretch_across);
-    float wide = max(along, across);
-    float side2 = max(0.36 * wide * wide, along * across) * trace.pixel_angle * trace.pixel_angle;
     vec3 size = abs(trace.sky);
-    float texels = frame.sky.x / max(max(size.x, size.y), size.z);
-    return footprint_level(0.5 * log2(side2 * texels * texels), frame.sky.y);
+    float scale = trace.pixel_angle * (frame.sky.x / max(max(size.x, size.y), size.z));
+    float along = abs(trace.stretch_along) * scale;
+    float across = abs(trace.stretch_across) * scale;
+    float wide = max(along, across);
+    return footprint_level(footprint_detail(max(0.36 * wide * wide, along * across)), frame.sky.y);
 }
 vec3 celestial_sphere(Trace trace, float level) {
-    vec3 light = textureLod(sky_texture, trace.sky, level).rgb * frame.sky.z;
+    vec3 d = trace.sky;
+    vec3 size = abs(d);
+    bool on_x = size.x >= max(size.y, size.z);
+    bool on_y = !on_x && size.y >= size.z;
+    float facing = (on_x ? d.x : on_y ? d.y : d.z) < 0.0 ? -1.0 : 1.0;
+    float layer = (on_x ? 0.0 : on_y ? 2.0 : 4.0) + (0.5 - 0.5 * facing);
+    float major = abs(on_x ? d.x : on_y ? d.y : d.z);
+    vec2 place = on_x ? vec2(-facing * d.z, -d.y) : on_y ? vec2(d.x, facing * d.z) : vec2(facing * d.x, -d.y);
+    vec3 light = textureLod(sky_texture, vec3(place * ((0.5 * 32.0 / 34.0) / major) + 0.5, layer), level).rgb * frame.sky.z;
     return light;
 }
 vec3 srgb_encode(vec3 c) {

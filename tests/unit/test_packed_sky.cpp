@@ -41,9 +41,8 @@ using Level = std::vector<Texel>;
 
 // By face and level; checks that every row comes once, in its order.
 template <class Texel>
-std::vector<std::vector<Level<Texel>>> levels_of(const SkyPainter& painter, bool bordered, double scale = 1.0) {
-    const int levels = sky_levels(painter.face_size(), bordered),
-              side = bordered ? bordered_size(painter.face_size()) : painter.face_size();
+std::vector<std::vector<Level<Texel>>> levels_of(const SkyPainter& painter, double scale = 1.0) {
+    const int levels = sky_levels(painter.face_size()), side = bordered_size(painter.face_size());
     std::vector<std::vector<Level<Texel>>> all(6, std::vector<Level<Texel>>(static_cast<std::size_t>(levels)));
     const SkyFormat format = sizeof(Texel) == 8 ? SkyFormat::kHalfFloats : SkyFormat::kSmallFloats;
     pack_sky(painter, {format, scale}, [&](const PackedRows& rows) {
@@ -68,11 +67,20 @@ Vec3 mean_of(const Level<Texel>& level) {
     return sum / static_cast<double>(level.size());
 }
 
-Vec3 mean_of(const Image<float>& face) {
-    Vec3 sum;
-    for (std::size_t i = 0; i < face.data.size(); i += 3)
-        sum = sum + Vec3{face.data[i], face.data[i + 1], face.data[i + 2]};
-    return sum / (static_cast<double>(face.data.size()) / 3.0);
+// Of the finest level, without the border.
+template <class Texel>
+Level<Texel> inner_of(const Level<Texel>& level, int face_size) {
+    const int border = face_size / kBorderOf, wide = bordered_size(face_size);
+    Level<Texel> inner;
+    for (int y = border; y < border + face_size; ++y)
+        inner.insert(inner.end(), level.begin() + y * wide + border, level.begin() + y * wide + border + face_size);
+    return inner;
+}
+
+SkyPainter painter_of(int face_size) {
+    auto painter = SkyPainter::make({}, kAssets, face_size, face_size / kBorderOf);
+    REQUIRE(painter);
+    return std::move(*painter);
 }
 
 double worst_relative(Vec3 got, Vec3 wanted) {
@@ -121,12 +129,11 @@ TEST_CASE("packing_scale: the largest light stays below 65504, and the least kee
 
 TEST_CASE("pack_sky: the texels of build_sky, rounded; threads do not matter" * test::costly()) {
     constexpr int kFace = 256;
-    const auto painter = SkyPainter::make({}, kAssets, kFace, 0);
+    const SkyPainter painter = painter_of(kFace);
     const auto floats = build_sky({}, kAssets, kFace);
-    REQUIRE(painter);
     REQUIRE(floats);
-    const auto small = levels_of<std::uint32_t>(*painter, false);
-    const auto half = levels_of<std::uint64_t>(*painter, false, 2.0);
+    const auto small = levels_of<std::uint32_t>(painter);
+    const auto half = levels_of<std::uint64_t>(painter, 2.0);
     for (std::size_t face = 0; face < 6; ++face) {
         Level<std::uint32_t> wanted;
         Level<std::uint64_t> wanted_half;
@@ -135,29 +142,26 @@ TEST_CASE("pack_sky: the texels of build_sky, rounded; threads do not matter" * 
             wanted.push_back(packed_light(data[i], data[i + 1], data[i + 2]));
             wanted_half.push_back(half_light(2 * data[i], 2 * data[i + 1], 2 * data[i + 2]));
         }
-        CHECK(small[face][0] == wanted);
-        CHECK(half[face][0] == wanted_half);
+        CHECK(inner_of(small[face][0], kFace) == wanted);
+        CHECK(inner_of(half[face][0], kFace) == wanted_half);
     }
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    CHECK(levels_of<std::uint32_t>(*painter, false) == small);
+    CHECK(levels_of<std::uint32_t>(painter) == small);
 }
 
 TEST_CASE("every mip level of a sky has the light of the finest" * test::costly()) {
     constexpr double kHalf = 5e-4, kSmall = 0.016;  // half a step of what they are stored as: 2^-11 and 2^-6
     constexpr int kFace = 256;
-    const auto painter = SkyPainter::make({}, kAssets, kFace, 0);
-    const auto floats = build_sky({}, kAssets, kFace);
-    REQUIRE(painter);
-    REQUIRE(floats);
-    const auto small = levels_of<std::uint32_t>(*painter, false);
-    const auto half = levels_of<std::uint64_t>(*painter, false, 16.0);
+    const SkyPainter painter = painter_of(kFace);
+    const auto small = levels_of<std::uint32_t>(painter);
+    const auto half = levels_of<std::uint64_t>(painter, 16.0);
     for (std::size_t face = 0; face < 6; ++face) {
-        const Vec3 wanted = mean_of(floats->faces[face]);
+        const Vec3 wanted = mean_of(half[face][0]);
         for (std::size_t level = 0; level < half[face].size(); ++level) {
             CAPTURE(face);
             CAPTURE(level);
-            CHECK(worst_relative(mean_of(half[face][level]) / 16.0, wanted) < kHalf);
-            CHECK(worst_relative(mean_of(small[face][level]), wanted) < kSmall);
+            CHECK(worst_relative(mean_of(half[face][level]), wanted) < kHalf);
+            CHECK(worst_relative(16.0 * mean_of(small[face][level]), wanted) < kSmall);
         }
     }
 }
@@ -192,18 +196,32 @@ TEST_CASE(
 }
 
 TEST_CASE("a face with a border goes on into its neighbours, and its own texels stay") {
-    constexpr int kFace = 256, kBorder = kFace / kBorderOf, kWide = kFace + 2 * kBorder;
-    const auto plain = SkyPainter::make({}, kAssets, kFace, 0), wide = SkyPainter::make({}, kAssets, kFace, kBorder);
+    constexpr int kFace = 256, kRows = 32;
+    const int border = kFace / kBorderOf;
+    const auto plain = SkyPainter::make({}, kAssets, kFace, 0);
     REQUIRE(plain);
-    REQUIRE(wide);
-    CHECK((bordered_size(kFace) >> (sky_levels(kFace, true) - 1)) ==
-          17);  // 16 texels of the face and half a texel on each side
-    const auto faces = levels_of<std::uint32_t>(*plain, false), bordered = levels_of<std::uint32_t>(*wide, true);
-    for (std::size_t face = 0; face < 6; ++face)
-        for (int y = 0; y < kFace; ++y) {
-            const auto from = bordered[face][0].begin() + (y + kBorder) * kWide + kBorder;
-            REQUIRE(std::equal(from, from + kFace, faces[face][0].begin() + y * kFace));
-        }
+    const SkyPainter wide = painter_of(kFace);
+    SkyRows without, with;
+    for (int face = 0; face < 6; ++face) {
+        plain->paint(face, 0, kRows, without);
+        wide.paint(face, 0, kRows, with);
+        for (std::size_t c = 0; c < 3; ++c)
+            for (int y = 0; y < kRows; ++y) {
+                const auto from = without.planes[c].begin() + y * kFace;
+                REQUIRE(std::equal(from, from + kFace, with.planes[c].begin() + y * bordered_size(kFace) + border));
+            }
+    }
+}
+
+TEST_CASE("sizes of skies: half a texel of border at the level of 16, one texel at the last, textures that a driver has") {
+    for (const int face : {256, 1024, 4096}) {
+        CHECK(bordered_size(face) / (face / 16) == 17);
+        CHECK((bordered_size(face) >> (sky_levels(face) - 1)) == 1);
+        CHECK(largest_face(bordered_size(face)) == face);
+        CHECK(largest_face(bordered_size(face) - 1) == face / 2);
+    }
+    CHECK(largest_face(16384) == 8192);
+    CHECK(largest_face(2048) == 1024);
 }
 
 TEST_CASE("a star beyond an edge or a corner of a face shines into its border") {

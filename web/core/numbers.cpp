@@ -54,7 +54,7 @@ NULLSCOPE_EXPORT(numbers) bool numbers(int texels_each) {
     Scene scene = session().scene;
     scene.path.reset();
     if (const Status made = tables.update(scene); !made) return answer(made.error());
-    const TextureFacts facts{kSkySize, kDiscWidth, tables.effects().contains(Effect::kFarSky), {}};
+    const TextureFacts facts{kSkySize, kDiscWidth, {}};
     const FrameVectors all = vectors_of(frame_numbers(tables.plan(), tables.path(), facts, tables.ball_paths()));
     const std::vector<int> members = block_members(tables.effects());
     std::vector<FrameVector> frame;
