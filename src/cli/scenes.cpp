@@ -52,8 +52,8 @@ void add_info(Command& parent) {
             }
             ++working;
             const gl::Info& i = session->renderer->info();
-            fmt::print("{}: OpenGL {}\n  renderer {} ({}), GLSL {}\n  largest texture {}, target {} px\n",
-                       kind, i.version, i.renderer, i.vendor, i.glsl, i.max_texture_size, i.max_renderbuffer_size);
+            fmt::print("{}: OpenGL {}\n  renderer {} ({}), GLSL {}\n  largest texture {}, target {} px\n", kind,
+                       i.version, i.renderer, i.vendor, i.glsl, i.max_texture_size, i.max_renderbuffer_size);
         }
         return working > 0 ? 0 : 1;
     });

@@ -29,9 +29,7 @@ void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* use
     prepare_context();
 }
 
-void prepare_context() {
-    glDisable(GL_DITHER);
-}
+void prepare_context() { glDisable(GL_DITHER); }
 
 Format filtered_light() { return Format::kRgba32F; }
 

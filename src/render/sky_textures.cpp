@@ -35,8 +35,8 @@ Status SkyTextures::finish(std::vector<std::string>& notes) {
     }
     work.packing_.scale = packing_scale(work.packing_.format, largest);
     const bool halves = work.packing_.format == SkyFormat::kHalfFloats;
-    work.layers_ = gl::make_sky(bordered_size(work.size_), sky_levels(work.size_),
-                                6 * static_cast<int>(painters.size()), halves);
+    work.layers_ =
+        gl::make_sky(bordered_size(work.size_), sky_levels(work.size_), 6 * static_cast<int>(painters.size()), halves);
     int layer = 0;
     for (const SkyPainter& painter : painters) {
         pack_sky(painter, work.packing_, [&](const PackedRows& rows) {

@@ -31,7 +31,7 @@ public:
     bool far() const { return far_.has_value(); }
 
 private:
-    gl::Texture layers_;  // the near sky's first
+    gl::Texture layers_;                 // the near sky's first
     std::optional<SkySpec> near_, far_;  // that are loaded, or begun
     int size_ = 0;
     SkyPacking packing_;                                     // of both

@@ -213,7 +213,8 @@ TEST_CASE("a face with a border goes on into its neighbours, and its own texels 
     }
 }
 
-TEST_CASE("sizes of skies: half a texel of border at the level of 16, one texel at the last, textures that a driver has") {
+TEST_CASE(
+    "sizes of skies: half a texel of border at the level of 16, one texel at the last, textures that a driver has") {
     for (const int face : {256, 1024, 4096}) {
         CHECK(bordered_size(face) / (face / 16) == 17);
         CHECK((bordered_size(face) >> (sky_levels(face) - 1)) == 1);
