@@ -2,7 +2,7 @@
 #include "mino/trace.glsl"
 
 // Disc (x, y), r_s; 0 if there is no crossing k, 0 or 1.
-vec2 crossing_place(Trace trace, int k) { return k == 0 ? trace.crossing_0.place : trace.crossing_1.place; }
+vec2 crossing_place(Trace trace, int k) { return k == 0 ? trace.kept.crossing_0.place : trace.kept.crossing_1.place; }
 
 // Are there no others?
-bool crossings_known(Trace trace) { return trace.crossings <= 2; }
+bool crossings_known(Trace trace) { return trace.kept.count <= 2; }

@@ -13,29 +13,29 @@ struct DiscWalk {
 DiscWalk disc_walk(Trace trace) {
     DiscWalk walk;
     walk.number = 0;
-    walk.more = spin_disc_more(trace, 0);
+    walk.more = kept_more(trace.kept, 0);
     walk.covered = 1.0;
     return walk;
 }
 
 DiscWalk disc_next(Trace trace, DiscWalk walk) {
     walk.number += 1;
-    walk.more = walk.more && spin_disc_more(trace, walk.number);
+    walk.more = walk.more && kept_more(trace.kept, walk.number);
     return walk;
 }
 
 DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
     int k = walk.number;
-    DiscCrossing crossing = trace.crossing_0;
-    if (k == 1) crossing = trace.crossing_1;
-    if (k == 2) crossing = trace.crossing_2;
-    if (k == 3) crossing = trace.crossing_3;
+    DiscCrossing crossing = trace.kept.crossing_0;
+    if (k == 1) crossing = trace.kept.crossing_1;
+    if (k == 2) crossing = trace.kept.crossing_2;
+    if (k == 3) crossing = trace.kept.crossing_3;
     crossing.r = max(crossing.r, 1.0e-6);
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
     vec4 footprint = vec4(crossing.along, crossing.across);
     float reach = min(0.5 * sqrt(dot(footprint, footprint)), disc_rim());
-    crossing.hit = spin_disc_more(trace, k) && crossing.r >= inner - reach && crossing.r <= outer + reach;
+    crossing.hit = kept_more(trace.kept, k) && crossing.r >= inner - reach && crossing.r <= outer + reach;
     return crossing;
 }
 

@@ -15,7 +15,7 @@ ListedCrossing listed_crossing(Trace trace, int k) {
     walk.number = k;
     DiscCrossing met = disc_walk_crossing(trace, walk);
     ListedCrossing crossing;
-    crossing.there = spin_disc_more(trace, k);
+    crossing.there = kept_more(trace.kept, k);
     crossing.place = met.place;
     crossing.climb = met.climb;
     crossing.along = met.phi;
@@ -23,7 +23,7 @@ ListedCrossing listed_crossing(Trace trace, int k) {
 }
 
 // Only those that are kept can be the disc's: the others in another draw.
-bool listed_more(Trace trace) { return trace.crossings >= SPIN_CROSSINGS; }
+bool listed_more(Trace trace) { return trace.kept.count >= SPIN_CROSSINGS; }
 float listed_passed() { return frame.disc_surface.w; }
 
 // No angle is swept in a plane.

@@ -3,6 +3,7 @@
 #include "object/march.glsl"
 #include "object/solid_hit.glsl"
 #include "mino/place.glsl"
+#include "mino/step.glsl"
 #include "shared/frame.glsl"
 
 #define MARCH_LONGEST 0.5    // of a step; a dip between two steps is looked for on the second's polynomials, as far before its start
@@ -17,6 +18,8 @@ float march_step_length(RayPlace place, float length) {
 // What a search has come to.
 struct SolidSearch {
     bool going;
+    bool meets;           // the step that was passed last may meet a body
+    float pixel_angle;
     int left;             // looks
     float before;         // the last sample within a step, how long ago by Mino's time, and the value there
     float before_value;
@@ -27,9 +30,17 @@ struct SolidSearch {
     SolidHit hit;         // as far as it is known: covered > 0
 };
 
-SolidSearch solid_search() {
+#ifdef NEEDS_FOOTPRINT
+#define SOLID_BLUR 1.0   // soft edges
+#else
+#define SOLID_BLUR 0.0
+#endif
+
+SolidSearch solid_search(bool ours, float pixel_angle) {
     SolidSearch search;
-    search.going = true;
+    search.going = ours;
+    search.meets = false;
+    search.pixel_angle = pixel_angle;
     search.left = MARCH_MOST_STEPS;
     search.before = 0.0;
     search.before_value = 1.0e30;
@@ -65,12 +76,12 @@ bool segment_reaches(SpinState from, SpinState to, float h) {
 }
 
 // Along a step that begins at Mino's time tau.
-SolidSearch segment_search(SpinRay ray, SpinSegment segment, float tau, float pixel_angle, float blur, SolidSearch search) {
+SolidSearch segment_search(SpinRay ray, SpinSegment segment, float tau, SolidSearch search) {
     float reach = frame.march.x;
     MarchWay way;
     way.ray = ray;
     way.segment = segment;
-    way.pixel_angle = pixel_angle;
+    way.pixel_angle = search.pixel_angle;
     float s = 0.0;
     RayPlace place = way_place(way, s);
     way.length = max(search.length, abs(1.0 / frame.shift.y - place.r));   // steps that no body is near to are left out
@@ -115,7 +126,7 @@ SolidSearch segment_search(SpinRay ray, SpinSegment segment, float tau, float pi
             on = search.going && next < 1.0 && (place.r < reach || !outward || grows_to);
             search.left -= 1;
         } while (on && !span.enters && !span.grazes && search.left > 0);
-        MarchContact contact = march_contact(way, span, blur);
+        MarchContact contact = march_contact(way, span, SOLID_BLUR);
         if (span.enters || span.grazes)
             search = solid_met(search, contact.place, tau + contact.at * segment.h, contact.covered, contact.enters);
         on = on && search.going;
@@ -169,17 +180,26 @@ float length_behind(SolidSearch search, SpinState from, SpinState to) {
     return max(search.length, abs(1.0 / frame.shift.y - r)) + sqrt(dot(chord, chord));
 }
 
-// Along the step between two states that begins at Mino's time tau.
-SolidSearch step_search(SpinRay ray, SpinState from, SpinState to, float h, float tau, float pixel_angle, float blur, SolidSearch search) {
-    if (tau > search.until) {   // no body is near to the steps between
+// Past a step: may it meet a body?
+SolidSearch search_passes(SolidSearch search, SpinState from, SpinState to, float h) {
+    search.meets = false;
+    if (segment_reaches(from, to, h)) {
+        search.meets = search.going && step_meets(from, to, h);
+        if (!search.meets) search.length = length_behind(search, from, to);
+    }
+    return search;
+}
+
+SolidSearch step_search(SpinRay ray, SpinStep at, SolidSearch search) {
+    if (at.begun > search.until) {   // no body is near to the steps between
         search.before = 0.0;
         search.before_value = 1.0e30;
     }
-    search.before += h;
-    search.until = tau + h;
-    SpinSegment segment = spin_segment(ray, from, to, h);
-    search = segment_search(ray, segment, tau, pixel_angle, blur, search);
-    search.psi = segment_psi(ray, segment, to);
+    search.before += at.h;
+    search.until = at.begun + at.h;
+    SpinSegment segment = spin_segment(ray, at.from, at.to, at.h);
+    search = segment_search(ray, segment, at.begun, search);
+    search.psi = segment_psi(ray, segment, at.to);
     return search;
 }
 

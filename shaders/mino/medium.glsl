@@ -73,13 +73,9 @@ MediumWalk medium_walk(Trace trace, vec2 pixel) {
     walk.part = 1.0;
     walk.left = SPIN_MOST_STEPS;
     walk.spans = MEDIUM_MOST_SPANS;
-    walk.outside = true;
+    walk.outside = starts_outside(walk.ray);
     walk.ends = false;
-    walk.going = true;
-#ifdef EFFECT_SPIN_FALL
-    walk.outside = frame.shift.y * walk.ray.outer < 1.0;
-    walk.going = walk.outside || walk.ray.a * walk.ray.momentum > walk.ray.energy * (walk.ray.outer - frame.spin_turn.z);   // mino/trace.glsl
-#endif
+    walk.going = sees_ours(walk.ray, walk.outside);
     walk.doppler = view.doppler;
     walk.sum = medium_nothing();
     return walk;
@@ -104,12 +100,10 @@ MediumWalk medium_next(MediumWalk walk) {
         walk.now = spin_step(walk.ray, before, h);
         walk.ended += h;
         walk.left -= 1;
-#ifdef EFFECT_SPIN_FALL
-        walk.outside = walk.outside || walk.now.y.w < end;
-#endif
+        walk.outside = comes_outside(walk.outside, walk.now.y.w, end);
         near = medium_near(before, walk.now, h);
         going = spin_goes(walk.now.y.w, end, walk.left, walk.outside);
-        if (near || !going) {   // in a branch: see mino/trace.glsl
+        if (near || !going) {   // in a branch: see mino/walk.glsl
             from = before;
             to = walk.now;
             taken = h;

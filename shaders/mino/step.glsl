@@ -160,6 +160,18 @@ float spin_step_length(SpinRay ray, SpinState at, int left) {
     return slope < 0.0 ? min(h, -1.05 * zeta / slope) : h;
 }
 
+// Inside the horizon every ray is traced outward, and none whose energy is not above 0 has come from our sky. Of the others those whose photon has
+// E (r_+^2 + a^2) <= a L have crossed another horizon than the one that the camera fell through: they meet nothing of ours.
+#ifdef EFFECT_SPIN_FALL
+bool starts_outside(SpinRay ray) { return frame.shift.y * ray.outer < 1.0; }
+bool sees_ours(SpinRay ray, bool outside) { return outside || ray.a * ray.momentum > ray.energy * (ray.outer - frame.spin_turn.z); }
+bool comes_outside(bool outside, float zeta, float end) { return outside || zeta < end; }
+#else
+bool starts_outside(SpinRay ray) { return true; }
+bool sees_ours(SpinRay ray, bool outside) { return true; }
+bool comes_outside(bool outside, float zeta, float end) { return true; }
+#endif
+
 // A ray ends at the sky, and at the horizon once it has been outside of it.
 bool spin_goes(float zeta, float end, int left, bool outside) { return zeta > 0.0 && (zeta < end || !outside) && left > 0; }
 
@@ -176,4 +188,26 @@ SpinState spin_to_sky(SpinRay ray, SpinState beyond) {
     at.travel_time += rest * travel_time_rate(ray, true, at.y, spin_fine_of(at));
 #endif
     return at;
+}
+
+// A step that may have met something.
+struct SpinStep {
+    SpinState from;
+    SpinState to;
+    float h;
+    float begun;      // Mino's time where it begins
+    bool crosses;     // the disc's plane
+    bool near;        // the band that bodies keep to
+};
+
+// None yet.
+SpinStep step_from(SpinState start) {
+    SpinStep none;
+    none.from = start;
+    none.to = start;
+    none.h = 1.0;
+    none.begun = 0.0;
+    none.crosses = false;
+    none.near = false;
+    return none;
 }

@@ -98,7 +98,7 @@ Search search_samples(Search search) {
         bool enters = search.value > 0.0 && there <= slack;
         bool grazes = there > slack && search.value > 0.0 && search.value < search.before_value && search.value <= there &&
                       march_grazes(from_length, search.value, place_pixel(search.way.trace, search.place, next));
-        // In branches: see mino/trace.glsl.
+        // In branches: see mino/walk.glsl.
         if (enters || grazes) {
             search.span.enters = enters;
             search.span.grazes = grazes;
