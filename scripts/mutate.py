@@ -203,7 +203,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("grid-seam", "no matter of a file between its last azimuth and its first", "shaders/medium/grid.glsl",
      "left + 1.0 < GRID_AROUND_COUNT ? left + 1.0 : 0.0", "min(left + 1.0, GRID_AROUND_COUNT - 1.0)", ("gpu_tests", "medium grid*")),
     ("beside-bodies", "a formula's value for a distance beside several bodies", "shaders/object/march.glsl",
-     "depth / nearest.y : -nearest.x;", "depth / nearest.y : -value_there / nearest.y;", ("gpu_tests", "bodies: two kinds*")),
+     "depth / nearest.y : -nearest.x;", "depth / nearest.y : -search.value_there / nearest.y;", ("gpu_tests", "bodies: two kinds*")),
     ("spin-near", "rays next to a rotating horizon without their own digits", "src/plan/light_features.cpp",
      "rotates(f) && is_next_to_horizon(", "rotates(f) && !is_next_to_horizon(", ("gpu_tests", "kerr near*")),
     ("medium-late", "clumps where they are now", "shaders/medium/gas.glsl",

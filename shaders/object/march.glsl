@@ -73,124 +73,177 @@ float march_cover(float depth, float thickness) {
 #define SPAN_OUTSIDE 1
 #define SPAN_INSIDE 2
 
-// The least value on a graze by golden section, the first below 0; the surface by regula falsi, where the value of an end that stays counts
-// for less (Anderson and Bjorck 1973), and halves where that is slow; and how deep the ray will come by slope and curvature of the value
-// along it. blur: bodies have soft edges. One value a round: software drivers run all of a loop for all of their rays.
-MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
+// What the search on a span has come to.
+struct SpanSearch {
+    int next;
+    float at;             // where it looks next
+    int left;             // looks
     MarchContact contact;
-    contact.at = span.inside;
-    contact.covered = 0.0;
-    contact.enters = span.enters;
-    float low = span.outside;
-    float high = span.inside;
-    float low_value = span.outside_value;
-    float high_value = span.inside_value;
-    float x = high - MARCH_GOLDEN * (high - low);
-    float y = low + MARCH_GOLDEN * (high - low);
-    float x_value = 0.0;
-    float y_value = 0.0;
-    float value_there = span.inside_value;   // at contact.at
-    float value_before = 0.0;
-    float value_behind = 0.0;
-    float probe = 0.0;
-    int stays = SPAN_NEITHER;
-    float width = high - low;
-    int left = MARCH_SEARCHES;
-    int next = span.enters ? SPAN_ROOT : (span.grazes ? SPAN_FIRST : SPAN_DONE);
-    float at = x;
-    if (span.enters) {
-        left = MARCH_REFINEMENTS;
-        at = low + (high - low) * clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
+    float value_there;    // at contact.at
+    float low;            // of the span that is left: the ends, and the values there
+    float high;
+    float low_value;
+    float high_value;
+    float x;              // the golden section's inner places, and the values there
+    float y;
+    float x_value;
+    float y_value;
+    int stays;
+    float width;          // of the span, up to three rounds ago
+    float probe;          // how far before and behind the surface, and the values there
+    float value_before;
+    float value_behind;
+};
+
+// For the surface, by regula falsi.
+SpanSearch span_to_root(SpanSearch search) {
+    search.left = MARCH_REFINEMENTS;
+    search.at = search.low + (search.high - search.low) * clamp(search.low_value / max(search.low_value - search.high_value, 1.0e-30), 0.01, 0.99);
+    search.next = SPAN_ROOT;
+    return search;
+}
+
+SpanSearch span_start(MarchSpan span) {
+    SpanSearch search;
+    search.contact.at = span.inside;
+    search.contact.covered = 0.0;
+    search.contact.enters = span.enters;
+    search.low = span.outside;
+    search.high = span.inside;
+    search.low_value = span.outside_value;
+    search.high_value = span.inside_value;
+    search.x = search.high - MARCH_GOLDEN * (search.high - search.low);
+    search.y = search.low + MARCH_GOLDEN * (search.high - search.low);
+    search.x_value = 0.0;
+    search.y_value = 0.0;
+    search.value_there = span.inside_value;
+    search.value_before = 0.0;
+    search.value_behind = 0.0;
+    search.probe = 0.0;
+    search.stays = SPAN_NEITHER;
+    search.width = search.high - search.low;
+    search.left = MARCH_SEARCHES;
+    search.next = span.grazes ? SPAN_FIRST : SPAN_DONE;
+    search.at = search.x;
+    if (span.enters) search = span_to_root(search);
+    return search;
+}
+
+// The least value found, or one below 0: then the surface is before it.
+SpanSearch span_least(SpanSearch search, MarchSpan span) {
+    search.contact.at = search.x_value < search.y_value ? search.x : search.y;
+    search.value_there = min(search.x_value, search.y_value);
+    search.next = SPAN_DONE;
+    if (search.value_there <= 0.0) {
+        search.contact.enters = true;
+        search.low = span.outside;
+        search.low_value = span.outside_value;
+        search.high = search.contact.at;
+        search.high_value = search.value_there;
+        search.width = search.high - search.low;
+        search = span_to_root(search);
     }
-    do {
-        RayPlace place = way_place(way, at);
-        float value = way_value(way, place);
-        if (next == SPAN_FIRST) {
-            x_value = value;
-            at = y;
-            next = SPAN_SECOND;
-        } else if (next <= SPAN_DIP) {
-            if (next == SPAN_DIP && at == x) x_value = value;
-            else y_value = value;
-            bool lower = x_value < y_value;
-            if (left == 0 || min(x_value, y_value) <= 0.0) {
-                contact.at = lower ? x : y;
-                value_there = min(x_value, y_value);
-                next = SPAN_DONE;
-                if (value_there <= 0.0) {
-                    contact.enters = true;
-                    low = span.outside;
-                    low_value = span.outside_value;
-                    high = contact.at;
-                    high_value = value_there;
-                    width = high - low;
-                    left = MARCH_REFINEMENTS;
-                    at = low + (high - low) * clamp(low_value / max(low_value - high_value, 1.0e-30), 0.01, 0.99);
-                    next = SPAN_ROOT;
-                }
-            } else {
-                if (lower) {
-                    high = y;
-                    y = x;
-                    y_value = x_value;
-                    x = high - MARCH_GOLDEN * (high - low);
-                    at = x;
-                } else {
-                    low = x;
-                    x = y;
-                    x_value = y_value;
-                    y = low + MARCH_GOLDEN * (high - low);
-                    at = y;
-                }
-                --left;
-                next = SPAN_DIP;
-            }
-        } else if (next == SPAN_ROOT) {
-            bool outside = value > 0.0;
-            float share = 1.0 - value / (outside ? low_value : high_value);
-            share = share > 0.0 ? share : 0.5;
-            if (outside) {
-                high_value *= stays == SPAN_INSIDE ? share : 1.0;
-                stays = SPAN_INSIDE;
-                low = at;
-                low_value = value;
-            } else {
-                low_value *= stays == SPAN_OUTSIDE ? share : 1.0;
-                stays = SPAN_OUTSIDE;
-                high = at;
-                high_value = value;
-                value_there = value;
-            }
-            --left;
-            bool slow = left % 3 == 0 && high - low > 0.5 * width;   // not by half in three rounds
-            width = left % 3 == 0 ? high - low : width;
-            // A little beyond the root, away from the end that is closer: so that this one follows.
-            float exact = 0.5 * MARCH_EXACT * abs(high);
-            at = low + (high - low) * (low_value / max(low_value - high_value, 1.0e-30));
-            at += at - low < high - at ? exact : -exact;
-            at = slow ? 0.5 * (low + high) : clamp(at, low + exact, max(high - exact, low + exact));
-            if (left <= 0 || high - low <= 2.0 * exact) {
-                contact.at = high;
-                probe = min(MARCH_PROBE * frame.march.y / max(place_speed(place), 1.0e-20), way_left(way, high));
-                at = high - probe;
-                next = SPAN_BEFORE;
-            }
-        } else if (next == SPAN_BEFORE) {
-            value_before = value;
-            at = contact.at + probe;
-            next = SPAN_BEHIND;
-        } else {
-            value_behind = value;
-            next = SPAN_DONE;
-        }
-    } while (next < SPAN_DONE);
+    return search;
+}
+
+// The golden section's part with the lesser of the inner values.
+SpanSearch span_section(SpanSearch search) {
+    if (search.x_value < search.y_value) {
+        search.high = search.y;
+        search.y = search.x;
+        search.y_value = search.x_value;
+        search.x = search.high - MARCH_GOLDEN * (search.high - search.low);
+        search.at = search.x;
+    } else {
+        search.low = search.x;
+        search.x = search.y;
+        search.x_value = search.y_value;
+        search.y = search.low + MARCH_GOLDEN * (search.high - search.low);
+        search.at = search.y;
+    }
+    --search.left;
+    search.next = SPAN_DIP;
+    return search;
+}
+
+SpanSearch span_dip(SpanSearch search, MarchSpan span, float value) {
+    if (search.next == SPAN_DIP && search.at == search.x) search.x_value = value;
+    else search.y_value = value;
+    if (search.left == 0 || min(search.x_value, search.y_value) <= 0.0) search = span_least(search, span);
+    else search = span_section(search);
+    return search;
+}
+
+// The end of the span that has moved, and its value; that of an end that stays counts for less.
+SpanSearch span_narrowed(SpanSearch search, float value) {
+    bool outside = value > 0.0;
+    float share = 1.0 - value / (outside ? search.low_value : search.high_value);
+    share = share > 0.0 ? share : 0.5;
+    if (outside) {
+        search.high_value *= search.stays == SPAN_INSIDE ? share : 1.0;
+        search.stays = SPAN_INSIDE;
+        search.low = search.at;
+        search.low_value = value;
+    } else {
+        search.low_value *= search.stays == SPAN_OUTSIDE ? share : 1.0;
+        search.stays = SPAN_OUTSIDE;
+        search.high = search.at;
+        search.high_value = value;
+        search.value_there = value;
+    }
+    return search;
+}
+
+SpanSearch span_root(SpanSearch search, MarchWay way, RayPlace place, float value) {
+    search = span_narrowed(search, value);
+    --search.left;
+    bool slow = search.left % 3 == 0 && search.high - search.low > 0.5 * search.width;   // not by half in three rounds
+    search.width = search.left % 3 == 0 ? search.high - search.low : search.width;
+    // A little beyond the root, away from the end that is closer: so that this one follows.
+    float exact = 0.5 * MARCH_EXACT * abs(search.high);
+    float at = search.low + (search.high - search.low) * (search.low_value / max(search.low_value - search.high_value, 1.0e-30));
+    at += at - search.low < search.high - at ? exact : -exact;
+    search.at = slow ? 0.5 * (search.low + search.high) : clamp(at, search.low + exact, max(search.high - exact, search.low + exact));
+    if (search.left <= 0 || search.high - search.low <= 2.0 * exact) {
+        search.contact.at = search.high;
+        search.probe = min(MARCH_PROBE * frame.march.y / max(place_speed(place), 1.0e-20), way_left(way, search.high));
+        search.at = search.high - search.probe;
+        search.next = SPAN_BEFORE;
+    }
+    return search;
+}
+
+// By the value at search.at.
+SpanSearch span_look(SpanSearch search, MarchWay way, MarchSpan span, RayPlace place, float value) {
+    if (search.next == SPAN_FIRST) {
+        search.x_value = value;
+        search.at = search.y;
+        search.next = SPAN_SECOND;
+    } else if (search.next <= SPAN_DIP) {
+        search = span_dip(search, span, value);
+    } else if (search.next == SPAN_ROOT) {
+        search = span_root(search, way, place, value);
+    } else if (search.next == SPAN_BEFORE) {
+        search.value_before = value;
+        search.at = search.contact.at + search.probe;
+        search.next = SPAN_BEHIND;
+    } else {
+        search.value_behind = value;
+        search.next = SPAN_DONE;
+    }
+    return search;
+}
+
+// What is met there, and how much of the pixel it covers.
+MarchContact span_contact(SpanSearch search, MarchWay way, MarchSpan span, float blur) {
+    MarchContact contact = search.contact;
     RayPlace place = way_place(way, contact.at);
     contact.place = place;
-    float slope = 0.5 * (value_before - value_behind);
-    float bend = value_before + value_behind - 2.0 * value_there;
+    float slope = 0.5 * (search.value_before - search.value_behind);
+    float bend = search.value_before + search.value_behind - 2.0 * search.value_there;
     float depth = bend > 1.0e-4 * abs(slope) ? 0.5 * slope * slope / bend : 1.0e30;
     // Values of several bodies have several units: what is beside all of them is so by its distance.
-    vec2 nearest = march_nearest(place, value_there);
+    vec2 nearest = march_nearest(place, search.value_there);
     depth = contact.enters ? depth / nearest.y : -nearest.x;
     float pixel = max(way_pixel(way, place, contact.at), 1.0e-20);
     float cover = march_cover(depth / pixel, MARCH_THINNEST * frame.march.y / pixel);
@@ -199,6 +252,18 @@ MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
     if (contact.enters) contact.covered = blur > 0.0 && own ? cover : 1.0;
     else if (span.grazes && blur > 0.0) contact.covered = own ? cover : 0.0;
     return contact;
+}
+
+// The least value on a graze by golden section, the first below 0; the surface by regula falsi, where the value of an end that stays counts
+// for less (Anderson and Bjorck 1973), and halves where that is slow; and how deep the ray will come by slope and curvature of the value
+// along it. blur: bodies have soft edges. One value a round: software drivers run all of a loop for all of their rays.
+MarchContact march_contact(MarchWay way, MarchSpan span, float blur) {
+    SpanSearch search = span_start(span);
+    do {
+        RayPlace place = way_place(way, search.at);
+        search = span_look(search, way, span, place, way_value(way, place));
+    } while (search.next < SPAN_DONE);
+    return span_contact(search, way, span, blur);
 }
 
 #ifdef MARCH_LISTS

@@ -33,7 +33,6 @@ EXCEPTIONS = {
     "shaders/mino/medium.glsl:medium_to": (70, MARCH),
     "shaders/mino/step.glsl:spin_step": (90, MARCH),
     "shaders/mino/tile.glsl:tile_bodies": (65, MARCH),
-    "shaders/object/march.glsl:march_contact": (125, MARCH),
     "shaders/planar/medium.glsl:medium_to": (70, MARCH),
     "shaders/planar/place.glsl:place_of": (65, MARCH),
     "shaders/planar/trace.glsl:trace_pixel": (80, MARCH),
