@@ -43,32 +43,145 @@ bool ring_leaves(SpinRay ray, SpinState from, SpinState to) {
 }
 #endif
 
+#ifndef METHOD_MINO_4
+// The places within a step where forces are asked for.
+struct SpinStages {
+    vec4 y1;
+    vec4 y2;
+    vec4 y3;
+    vec4 y4;
+    float fine1;
+    float fine2;
+    float fine3;
+    float fine4;
+};
+
+// The mean over a step of what its start, its stages and its end have, by the weights of the speed.
+float stages_mean(float from, float at1, float at2, float at3, float at4, float to) {
+    return from * (151.0 / 2142.0) + at1 * (25.0 / 522.0) + at2 * (275.0 / 684.0) + at3 * (275.0 / 252.0) - at4 * (78125.0 / 112404.0) +
+           to * (1.0 / 12.0);
+}
+
+#ifdef EFFECT_SPIN_RING
+// Put back on the first integral, beside the saddle.
+SpinState step_settled(SpinRay ray, SpinState to, float fine) {
+    vec2 settling = ring_settling(ray.barrier, ring_offset(ray.barrier, to.y.w, fine), to.v.w);
+    to.fine += settling.x;
+    to.v.w += settling.y;
+    return to;
+}
+#else
+SpinState step_settled(SpinRay ray, SpinState to, float fine) { return to; }
+#endif
+
+#ifdef EFFECT_SPIN_FALL
+SpinState step_inside(SpinRay ray, SpinState from, SpinState to, float fine) {
+    to.ingoing = from.ingoing;
+    // Rounding of a large zeta' deep inside is much, relative to what is left of it where rays wind: by the root while that is exact.
+    float x = spin_x(ray, to.y.w, fine);
+    float speed2 = ingoing_speed2(ray, to.y.w, fine, x);
+    to.v.w = from.ingoing && to.v.w < 0.0 && speed2 > INGOING_SLOW * x * x ? -sqrt(speed2) : to.v.w;
+    return to;
+}
+
+// Whose psi may belong to Boyer and Lindquist's azimuth from here on.
+SpinState step_leaves(SpinRay ray, SpinState from, SpinState to, float fine) {
+    to.ingoing = from.ingoing && ingoing_stays(ray, to);
+    if (from.ingoing && !to.ingoing) {
+        to.psi += spin_winding(ray, to.y.w, fine);
+        to.drag = spin_drag(ray, to.y.w, fine);
+    }
+    return to;
+}
+#else
+SpinState step_inside(SpinRay ray, SpinState from, SpinState to, float fine) { return to; }
+SpinState step_leaves(SpinRay ray, SpinState from, SpinState to, float fine) { return to; }
+#endif
+
+#ifdef NEEDS_LIGHT_TIMES
+SpinState step_timed(SpinRay ray, SpinState from, SpinStages at, SpinState to, float fine, float h) {
+    bool keeps = travel_time_keeps(ray, from, to);
+    to.afar = keeps ? from.afar : min(from.afar, AFAR_TURNED);
+    to.travel_time = from.travel_time + travel_time_jump(ray, keeps, from.afar, vec3(from.y.w, from.v.w, spin_fine_of(from)), vec3(to.y.w, to.v.w, fine)) +
+             h * stages_mean(travel_time_rate(ray, keeps, from.y, spin_fine_of(from)), travel_time_rate(ray, keeps, at.y1, at.fine1),
+                             travel_time_rate(ray, keeps, at.y2, at.fine2), travel_time_rate(ray, keeps, at.y3, at.fine3),
+                             travel_time_rate(ray, keeps, at.y4, at.fine4), travel_time_rate(ray, keeps, to.y, fine));
+    return to;
+}
+#else
+SpinState step_timed(SpinRay ray, SpinState from, SpinStages at, SpinState to, float fine, float h) { return to; }
+#endif
+
+#ifdef NEEDS_FINE_AZIMUTH
 #define FINE_AZIMUTH_FROM 0.45   // of the horizon's 1/r: where a step ends beyond it, its own sum of psi' loses digits
 #define FINE_AZIMUTH_FAST 0.5    // zeta'^2 over X^2, which is 1 at the horizon and 0 where a ray turns
 
-#ifndef METHOD_MINO_4
+#ifdef EFFECT_SPIN_NEAR
+// Outward along the past horizon's light?
+bool step_rises(SpinRay ray, SpinState from, SpinState to) {
+    float near_x = spin_x(ray, from.y.w, from.fine);
+    bool rises = from.v.w < 0.0 && to.v.w < 0.0 && ray.outer * from.y.w > FINE_AZIMUTH_FROM && from.v.w * from.v.w > FINE_AZIMUTH_FAST * near_x * near_x;
+#ifdef EFFECT_SPIN_FALL
+    rises = rises && !from.ingoing;
+#endif
+    return rises;
+}
+
+float near_turned(float psi) { return near_turn(psi); }
+#else
+bool step_rises(SpinRay ray, SpinState from, SpinState to) { return false; }
+float near_turned(float psi) { return psi; }
+#endif
+
+// Along the horizon's light, which phi winds up with: what is left of it is regular there. Not of rays that turn, whose neighbours would be summed otherwise.
+SpinState step_wound(SpinRay ray, SpinState from, SpinStages at, SpinState to, float fine, float h) {
+    float fine_x = spin_x(ray, to.y.w, fine);
+    bool rises = step_rises(ray, from, to);
+    bool regular = (from.v.w > 0.0 && to.v.w > 0.0 && ray.outer * to.y.w > FINE_AZIMUTH_FROM && to.v.w * to.v.w > FINE_AZIMUTH_FAST * fine_x * fine_x) || rises;
+    float wound = spin_wound(ray, from.y.w, spin_fine_of(from), to.y.w, fine);
+    float turned = from.psi + (rises ? -wound : wound) +
+                   h * stages_mean(spin_level_turning(ray, from.y.w, spin_fine_of(from)), spin_level_turning(ray, at.y1.w, at.fine1),
+                                   spin_level_turning(ray, at.y2.w, at.fine2), spin_level_turning(ray, at.y3.w, at.fine3),
+                                   spin_level_turning(ray, at.y4.w, at.fine4), spin_level_turning(ray, to.y.w, fine));
+    to.psi = near_turned(regular ? turned : to.psi);
+    return to;
+}
+#else
+SpinState step_wound(SpinRay ray, SpinState from, SpinStages at, SpinState to, float fine, float h) { return to; }
+#endif
+
+#ifdef NEEDS_FINE_ZETA
+SpinState step_fine(SpinState to, float fine) {
+    to.fine = fine;
+    return to;
+}
+#else
+SpinState step_fine(SpinState to, float fine) { return to; }
+#endif
+
 // One step of RKN6(4)6FM (Dormand, El-Mikkawy and Prince 1987): five new forces, the sixth is the next step's first.
 SpinState spin_step(SpinRay ray, SpinState from, float h) {
     float hh = h * h;
     vec4 v = h * from.v;
     vec4 f0 = hh * from.f;
+    SpinStages at;
     vec4 more = 0.1 * v + f0 * (1.0 / 200.0);
-    vec4 y1 = spin_moved(from, more);
-    float fine1 = spin_fine(from, more.w, y1.w);
-    vec4 f1 = hh * spin_force(ray, y1, fine1);
+    at.y1 = spin_moved(from, more);
+    at.fine1 = spin_fine(from, more.w, at.y1.w);
+    vec4 f1 = hh * spin_force(ray, at.y1, at.fine1);
     more = 0.3 * v - f0 * (1.0 / 2200.0) + f1 * (1.0 / 22.0);
-    vec4 y2 = spin_moved(from, more);
-    float fine2 = spin_fine(from, more.w, y2.w);
-    vec4 f2 = hh * spin_force(ray, y2, fine2);
+    at.y2 = spin_moved(from, more);
+    at.fine2 = spin_fine(from, more.w, at.y2.w);
+    vec4 f2 = hh * spin_force(ray, at.y2, at.fine2);
     more = 0.7 * v + f0 * (637.0 / 6600.0) - f1 * (7.0 / 110.0) + f2 * (7.0 / 33.0);
-    vec4 y3 = spin_moved(from, more);
-    float fine3 = spin_fine(from, more.w, y3.w);
-    vec4 f3 = hh * spin_force(ray, y3, fine3);
+    at.y3 = spin_moved(from, more);
+    at.fine3 = spin_fine(from, more.w, at.y3.w);
+    vec4 f3 = hh * spin_force(ray, at.y3, at.fine3);
     more = 0.68 * v + f0 * (225437.0 / 1968750.0) - f1 * (30073.0 / 281250.0) + f2 * (65569.0 / 281250.0) -
            f3 * (9367.0 / 984375.0);
-    vec4 y4 = spin_moved(from, more);
-    float fine4 = spin_fine(from, more.w, y4.w);
-    vec4 f4 = hh * spin_force(ray, y4, fine4);
+    at.y4 = spin_moved(from, more);
+    at.fine4 = spin_fine(from, more.w, at.y4.w);
+    vec4 f4 = hh * spin_force(ray, at.y4, at.fine4);
     SpinState to;
     more = v + f0 * (151.0 / 2142.0) + f1 * (5.0 / 116.0) + f2 * (385.0 / 1368.0) + f3 * (55.0 / 168.0) -
            f4 * (6250.0 / 28101.0);
@@ -77,63 +190,12 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
     to.f = spin_force(ray, to.y, fine);
     to.v = from.v + (f0 * (151.0 / 2142.0) + f1 * (25.0 / 522.0) + f2 * (275.0 / 684.0) + f3 * (275.0 / 252.0) -
                      f4 * (78125.0 / 112404.0) + (hh / 12.0) * to.f) / h;
-#ifdef NEEDS_FINE_ZETA
-    to.fine = fine;
-#endif
-#ifdef EFFECT_SPIN_RING
-    vec2 settling = ring_settling(ray.barrier, ring_offset(ray.barrier, to.y.w, fine), to.v.w);
-    to.fine += settling.x;
-    to.v.w += settling.y;
-#endif
-#ifdef EFFECT_SPIN_FALL
-    to.ingoing = from.ingoing;
-    // Rounding of a large zeta' deep inside is much, relative to what is left of it where rays wind: by the root while that is exact.
-    float x = spin_x(ray, to.y.w, fine);
-    float speed2 = ingoing_speed2(ray, to.y.w, fine, x);
-    to.v.w = from.ingoing && to.v.w < 0.0 && speed2 > INGOING_SLOW * x * x ? -sqrt(speed2) : to.v.w;
-#endif
+    to = step_inside(ray, from, step_settled(ray, step_fine(to, fine), fine), fine);
     to.drag = spin_turning_at(ray, to);
-#ifdef NEEDS_LIGHT_TIMES
-    bool keeps = travel_time_keeps(ray, from, to);
-    to.afar = keeps ? from.afar : min(from.afar, AFAR_TURNED);
-    to.travel_time = from.travel_time + travel_time_jump(ray, keeps, from.afar, vec3(from.y.w, from.v.w, spin_fine_of(from)), vec3(to.y.w, to.v.w, fine)) +
-             h * (travel_time_rate(ray, keeps, from.y, spin_fine_of(from)) * (151.0 / 2142.0) + travel_time_rate(ray, keeps, y1, fine1) * (25.0 / 522.0) + travel_time_rate(ray, keeps, y2, fine2) * (275.0 / 684.0) +
-                  travel_time_rate(ray, keeps, y3, fine3) * (275.0 / 252.0) - travel_time_rate(ray, keeps, y4, fine4) * (78125.0 / 112404.0) + travel_time_rate(ray, keeps, to.y, fine) * (1.0 / 12.0));
-#endif
-    to.psi = from.psi + h * (from.drag * (151.0 / 2142.0) + spin_turning(ray, from, y1.w, fine1) * (25.0 / 522.0) +
-                             spin_turning(ray, from, y2.w, fine2) * (275.0 / 684.0) + spin_turning(ray, from, y3.w, fine3) * (275.0 / 252.0) -
-                             spin_turning(ray, from, y4.w, fine4) * (78125.0 / 112404.0) + to.drag * (1.0 / 12.0));
-#ifdef NEEDS_FINE_AZIMUTH
-    // Along the horizon's light, which phi winds up with: what is left of it is regular there. Not of rays that turn, whose neighbours would be summed otherwise.
-    float fine_x = spin_x(ray, to.y.w, fine);
-    bool regular = from.v.w > 0.0 && to.v.w > 0.0 && ray.outer * to.y.w > FINE_AZIMUTH_FROM && to.v.w * to.v.w > FINE_AZIMUTH_FAST * fine_x * fine_x;
-    float wound = spin_wound(ray, from.y.w, spin_fine_of(from), to.y.w, fine);
-#ifdef EFFECT_SPIN_NEAR
-    float near_x = spin_x(ray, from.y.w, from.fine);
-    bool rises = from.v.w < 0.0 && to.v.w < 0.0 && ray.outer * from.y.w > FINE_AZIMUTH_FROM && from.v.w * from.v.w > FINE_AZIMUTH_FAST * near_x * near_x;
-#ifdef EFFECT_SPIN_FALL
-    rises = rises && !from.ingoing;
-#endif
-    regular = regular || rises;
-    wound = rises ? -wound : wound;
-#endif
-    float turned = from.psi + wound +
-                   h * (spin_level_turning(ray, from.y.w, spin_fine_of(from)) * (151.0 / 2142.0) + spin_level_turning(ray, y1.w, fine1) * (25.0 / 522.0) +
-                        spin_level_turning(ray, y2.w, fine2) * (275.0 / 684.0) + spin_level_turning(ray, y3.w, fine3) * (275.0 / 252.0) -
-                        spin_level_turning(ray, y4.w, fine4) * (78125.0 / 112404.0) + spin_level_turning(ray, to.y.w, fine) * (1.0 / 12.0));
-    to.psi = regular ? turned : to.psi;
-#endif
-#ifdef EFFECT_SPIN_NEAR
-    to.psi = near_turn(to.psi);
-#endif
-#ifdef EFFECT_SPIN_FALL
-    to.ingoing = from.ingoing && ingoing_stays(ray, to);
-    if (from.ingoing && !to.ingoing) {
-        to.psi += spin_winding(ray, to.y.w, fine);
-        to.drag = spin_drag(ray, to.y.w, fine);
-    }
-#endif
-    return to;
+    to = step_timed(ray, from, at, to, fine, h);
+    to.psi = from.psi + h * stages_mean(from.drag, spin_turning(ray, from, at.y1.w, at.fine1), spin_turning(ray, from, at.y2.w, at.fine2),
+                                        spin_turning(ray, from, at.y3.w, at.fine3), spin_turning(ray, from, at.y4.w, at.fine4), to.drag);
+    return step_leaves(ray, from, step_wound(ray, from, at, to, fine, h), fine);
 }
 #endif
 

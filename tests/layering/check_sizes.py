@@ -31,7 +31,6 @@ EXCEPTIONS = {
     "python/module/spacetime.cpp:add_spacetime": (65, "a class of Python, as rows"),
     "shaders/mino/march.glsl:segment_search": (65, MARCH),
     "shaders/mino/medium.glsl:medium_to": (70, MARCH),
-    "shaders/mino/step.glsl:spin_step": (90, MARCH),
     "shaders/mino/tile.glsl:tile_bodies": (65, MARCH),
     "shaders/planar/medium.glsl:medium_to": (70, MARCH),
     "shaders/planar/place.glsl:place_of": (65, MARCH),
