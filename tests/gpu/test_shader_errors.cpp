@@ -19,7 +19,7 @@ TEST_CASE("shader errors: file, line and text of a planted one") {
     const ShaderSource source = shader_source(Stage::kPicture, effects, Output::kDisplay);
     for (const auto& [file, right] : {std::pair{"core/strip.glsl", "float half_tan = over / under;"},
                                       {"object/disc_cover.glsl", "float aa = dot(a, a);"},
-                                      {"stage/trace.frag", "float through = 1.0;"}}) {
+                                      {"stage/ray_light.glsl", "sight.through = 1.0;"}}) {
         CAPTURE(file);
         std::string broken = source.fragment;
         const std::size_t at = broken.find(right);

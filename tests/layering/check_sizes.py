@@ -36,7 +36,6 @@ EXCEPTIONS = {
     "shaders/planar/place.glsl:place_of": (65, MARCH),
     "shaders/planar/trace.glsl:trace_pixel": (80, MARCH),
     "shaders/stage/pixel_data.glsl:ray_data": (70, "outputs, one after the other"),
-    "shaders/stage/trace.frag:ray_light": (100, MARCH),
 }
 BEGINS = re.compile(r"^(?!namespace|struct|class|enum|union|extern|constexpr|const |static const|inline const|#|//|\}|using|template)\w.*?(\w+)\([^;]*$")
 
