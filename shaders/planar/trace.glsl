@@ -90,61 +90,87 @@ vec3 look_direction(PixelView view) {
     return vec3(ray.x, ray.y, ray.z);
 }
 
-// pixel: picture_place().
-Trace trace_pixel(vec2 pixel) {
-    Trace trace;
-    PixelView view = pixel_view(pixel);
-    trace.doppler = 1.0;
-    trace.pixel_angle = view.angle;
-#ifdef EFFECT_ABERRATION
-    Aberration seen = aberrate(look_direction(view), vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w,
-                               frame.boost_colour.x);
-    trace.doppler = seen.doppler;
-    trace.pixel_angle *= seen.squeeze;
+// Where a pixel looks.
+struct TraceLook {
+    float doppler;
+    float pixel_angle;
+    vec2 side;        // Trace
+    float c;
+#ifdef EFFECT_LENSING
+    float tangent;    // strip_locate
+#else
+    vec3 direction;   // n, world axes
 #endif
+};
+
+#ifdef EFFECT_ABERRATION
+Aberration look_seen(PixelView view) {
+    return aberrate(look_direction(view), vec3(frame.boost.x, frame.boost.y, frame.boost.z), frame.boost.w, frame.boost_colour.x);
+}
+#endif
+
 #ifdef EFFECT_ZOOM
-    // No direction is formed before what is small in it: next to the critical curve each keeps its digits, in motion too.
+// No direction is formed before what is small in it: next to the critical curve each keeps its digits, in motion too.
+TraceLook look_along(TraceLook look, PixelView view, vec2 pixel) {
+#ifdef EFFECT_ABERRATION
+    Aberration seen = look_seen(view);
+    look.doppler = seen.doppler;
+    look.pixel_angle *= seen.squeeze;
+#endif
     float square = dot(pixel, pixel) * (frame.image.z * frame.image.z);
     float longer = square * view.inverse_length / (1.0 + view.inverse_length);   // |v| - 1
     float scale = 1.0 / (frame.polar_weight.x + pixel.x * frame.polar_weight.y + pixel.y * frame.polar_weight.z + longer * frame.polar_weight.w);
     vec4 polar = (frame.polar_0 + pixel.x * frame.polar_x + pixel.y * frame.polar_y + longer * frame.polar_length) * scale;
-    trace.side = vec2(polar.x, polar.y);
-    trace.c = polar.z;
-    float tangent = polar.w;
+    look.side = vec2(polar.x, polar.y);
+    look.c = polar.z;
+    look.tangent = polar.w;
+    return look;
+}
 #else
 #ifdef EFFECT_ABERRATION
+TraceLook look_along(TraceLook look, PixelView view, vec2 pixel) {
+    Aberration seen = look_seen(view);
     vec3 n = seen.direction;
-    trace.side = vec2(dot(n, vec3(frame.meridian.x, frame.meridian.y, frame.meridian.z)),
-                      dot(n, vec3(frame.transverse.x, frame.transverse.y, frame.transverse.z)));
-    trace.c = dot(n, radial_direction());
+    look.doppler = seen.doppler;
+    look.pixel_angle *= seen.squeeze;
+    look.side = vec2(dot(n, vec3(frame.meridian.x, frame.meridian.y, frame.meridian.z)),
+                     dot(n, vec3(frame.transverse.x, frame.transverse.y, frame.transverse.z)));
+    look.c = dot(n, radial_direction());
 #ifdef EFFECT_LENSING
-    float tangent = frame.strip.y * trace.c - frame.strip.x * trace.side.x;
-#endif
+    look.tangent = frame.strip.y * look.c - frame.strip.x * look.side.x;
 #else
+    look.direction = n;
+#endif
+    return look;
+}
+#else
+TraceLook look_along(TraceLook look, PixelView view, vec2 pixel) {
     vec4 polar = view_form(frame.polar_0, frame.polar_x, frame.polar_y, view);
-    trace.side = vec2(polar.x, polar.y);
-    trace.c = polar.z;
+    look.side = vec2(polar.x, polar.y);
+    look.c = polar.z;
 #ifdef EFFECT_LENSING
-    float tangent = polar.w;
+    look.tangent = polar.w;
 #else
-    vec3 n = look_direction(view);
+    look.direction = look_direction(view);
+#endif
+    return look;
+}
 #endif
 #endif
-#endif
+
 #ifdef SLOT_MEDIUM
-    // Matter is followed by the swept angle. The ray passes the centre at least 1e-7 r_s away.
+// Matter is followed by the swept angle. The ray passes the centre at least 1e-7 r_s away.
+vec2 beside_centre(vec2 side) {
     float aside = 1.0e-7 * min(frame.shift.y, 1.0);
-    trace.side.x += dot(trace.side, trace.side) < aside * aside ? aside : 0.0;
+    return vec2(side.x + (dot(side, side) < aside * aside ? aside : 0.0), side.y);
+}
+#else
+vec2 beside_centre(vec2 side) { return side; }
 #endif
-    trace.s = sqrt(dot(trace.side, trace.side));
+
 #ifdef EFFECT_LENSING
-    StripRay ray = strip_locate(trace.side, trace.s, trace.c, tangent, frame.strip, frame.series.w);
-    Sweep sweep = sweep_to_sky(ray, trace.s, trace.c);
-    trace.escapes = ray.escapes;
-    trace.sky = sweep.cos_phi * radial_direction() + sideways(sweep.ratio * trace.side);
-    trace.stretch_along = sweep.along;
-    trace.stretch_across = sweep.ratio;
 #ifdef NEEDS_PHI_END
+Trace trace_end(Trace trace, StripRay ray) {
     Octave octave = octave_cell(ray.u, ENDS_CELLS_PER_OCTAVE);
     int end_row = ray.escapes ? ENDS_ROW_SKY : ENDS_ROW_CAPTURED;
 #ifdef EFFECT_BOUNCE
@@ -156,18 +182,49 @@ Trace trace_pixel(vec2 pixel) {
     trace.ray = ray;
     trace.phi_end = end_ratio * trace.s;
     trace.phi_end_slope = end_slope * trace.s + end_ratio * strip_s_slope(ray, trace.c);
-#endif
+    return trace;
+}
 #else
+Trace trace_end(Trace trace, StripRay ray) { return trace; }
+#endif
+
+Trace trace_along(Trace trace, TraceLook look) {
+    StripRay ray = strip_locate(trace.side, trace.s, trace.c, look.tangent, frame.strip, frame.series.w);
+    Sweep sweep = sweep_to_sky(ray, trace.s, trace.c);
+    trace.escapes = ray.escapes;
+    trace.sky = sweep.cos_phi * radial_direction() + sideways(sweep.ratio * trace.side);
+    trace.stretch_along = sweep.along;
+    trace.stretch_across = sweep.ratio;
+    return trace_end(trace, ray);
+}
+#else
+Trace trace_along(Trace trace, TraceLook look) {
     trace.escapes = true;
-    trace.sky = n;
+    trace.sky = look.direction;
     trace.stretch_along = 1.0;
     trace.stretch_across = 1.0;
 #ifdef NEEDS_PHI_END
     trace.phi_end = arc_tangent2(trace.s, trace.c);
     trace.phi_end_slope = 1.0;
 #endif
-#endif
     return trace;
+}
+#endif
+
+// pixel: picture_place().
+Trace trace_pixel(vec2 pixel) {
+    PixelView view = pixel_view(pixel);
+    TraceLook look;
+    look.doppler = 1.0;
+    look.pixel_angle = view.angle;
+    look = look_along(look, view, pixel);
+    Trace trace;
+    trace.doppler = look.doppler;
+    trace.pixel_angle = look.pixel_angle;
+    trace.side = beside_centre(look.side);
+    trace.s = sqrt(dot(trace.side, trace.side));
+    trace.c = look.c;
+    return trace_along(trace, look);
 }
 
 // Sides of the pixel's box on the sky, within the ray's plane and across it.
