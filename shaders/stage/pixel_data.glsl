@@ -48,26 +48,32 @@ PixelData no_ray() {
     return data;
 }
 
-PixelData ray_data(Trace trace) {
-    PixelData data;
+// Of the end alone.
+PixelData data_of_end(Trace trace) {
+    PixelData data = no_ray();
     data.fate = trace.escapes ? 0.0 : frame.shift.w;
     data.angle = path_angle(trace);
     data.steps = path_steps(trace);
-    data.hit = 0.0;
-    data.place = vec3(0.0, 0.0, 0.0);
-    data.along = 0.0;
-    data.delay = 0.0;
+    return data;
+}
+
 #ifdef NEEDS_PLACE
-    SolidHit solid = solid_hit(trace, 0.0);
-    data.until = solid.phi;
-    if (solid.object != 0) data.angle = swept_angle(solid.phi);
+bool data_hides(PixelData data, float along) { return along > data.until; }
+#else
+bool data_hides(PixelData data, float along) { return false; }
 #endif
+
 #ifdef EFFECT_DISC
+#ifdef NEEDS_LIGHT_TIMES
+float data_disc_delay(Trace trace, DiscCrossing crossing) { return disc_delay(trace, crossing) + 1.0 / frame.shift.y; }
+#else
+float data_disc_delay(Trace trace, DiscCrossing crossing) { return 0.0; }
+#endif
+
+PixelData data_of_crossings(PixelData data, Trace trace) {
     for (DiscWalk walk = disc_walk(trace); walk.more && data.hit == 0.0; walk = disc_next(trace, walk)) {
         DiscCrossing crossing = disc_walk_crossing(trace, walk);
-#ifdef NEEDS_PLACE
-        if (crossing.phi > solid.phi) break;
-#endif
+        if (data_hides(data, crossing.phi)) break;
         if (crossing.hit) {
             data.hit = 1.0;
             data.place = vec3(crossing.place.x, crossing.place.y, 0.0);
@@ -75,27 +81,45 @@ PixelData ray_data(Trace trace) {
             if (frame.disc_surface.x >= 1.0) {   // opaque: the ray ends here
                 data.fate = 4.0;
                 data.angle = swept_angle(crossing.phi);
-#ifdef NEEDS_LIGHT_TIMES
-                data.delay = disc_delay(trace, crossing) + 1.0 / frame.shift.y;
-#endif
+                data.delay = data_disc_delay(trace, crossing);
             }
         }
     }
+    return data;
+}
+#else
+PixelData data_of_crossings(PixelData data, Trace trace) { return data; }
 #endif
+
 #ifdef NEEDS_PLACE
+#ifdef NEEDS_LIGHT_TIMES
+float data_solid_delay(Trace trace, SolidHit solid) { return place_light_time(trace, solid.place, solid.phi) + 1.0 / frame.shift.y; }
+#else
+float data_solid_delay(Trace trace, SolidHit solid) { return 0.0; }
+#endif
+
+PixelData data_of_objects(PixelData data, Trace trace) {
+    SolidHit solid = solid_hit(trace, 0.0);
+    data.until = solid.phi;
+    if (solid.object != 0) data.angle = swept_angle(solid.phi);
+    data = data_of_crossings(data, trace);
     if (solid.object != 0 && data.fate != 4.0) {
         data.fate = 4.0;
-#ifdef NEEDS_LIGHT_TIMES
-        data.delay = place_light_time(trace, solid.place, solid.phi) + 1.0 / frame.shift.y;
-#endif
+        data.delay = data_solid_delay(trace, solid);
         if (data.hit == 0.0) {
             data.hit = float(solid.object);
             data.place = solid.place.at;
             data.along = solid.phi;
         }
     }
+    return data;
+}
+#else
+PixelData data_of_objects(PixelData data, Trace trace) { return data_of_crossings(data, trace); }
 #endif
+
 #ifdef EFFECT_STAR
+PixelData data_of_star(PixelData data, Trace trace) {
     if (data.fate == 4.0 && data.hit == 0.0) {
         vec3 place = normalize(trace.sky);
         float longitude = arc_tangent2(abs(place.y), place.x);
@@ -103,7 +127,14 @@ PixelData ray_data(Trace trace) {
         data.place = vec3(place.y < 0.0 ? -longitude : longitude,
                           1.57079632679489661923 - arc_tangent2(sqrt(place.x * place.x + place.y * place.y), place.z), 0.0);
     }
+    return data;
+}
+#else
+PixelData data_of_star(PixelData data, Trace trace) { return data; }
 #endif
+
+PixelData ray_data(Trace trace) {
+    PixelData data = data_of_star(data_of_objects(data_of_end(trace), trace), trace);
 #ifdef EFFECT_ZOOM
     data.angle += ring_part(data.angle, frame.ring.x);
 #endif
