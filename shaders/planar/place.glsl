@@ -37,12 +37,9 @@ struct RayPlace {
 // Unit vector across the radial direction at the camera, in the ray's plane; 0 for an exactly radial ray.
 vec3 place_tangent(Trace trace) { return sideways(trace.side) / max(trace.s, 1.0e-30); }
 
-// 0 <= phi <= trace.phi_end. tangent: place_tangent.
-RayPlace place_of(Trace trace, vec3 tangent, float phi) {
-    vec2 swept = sine_cosine(phi);
-    float cos_phi = swept.y;
-    float sin_phi = swept.x;
+// What of a place is how far out it is; swept: sine and cosine of phi.
 #ifdef EFFECT_SIDES
+RayPlace place_out(Trace trace, float phi, vec2 swept) {
     // The map holds W (table/throat_orbit.h), which gives l towards the sky where the ray ends.
     OrbitPoint point = orbit_point(trace.escapes, trace.ray.u, trace.ray.slope, phi, trace.phi_end, trace.phi_end_slope);
     float w = clamp(point.zeta, 1.0e-9, 3.1415925);
@@ -64,35 +61,53 @@ RayPlace place_of(Trace trace, vec3 tangent, float phi) {
     float r2q2 = 0.5 + sqrt(0.25 + steep * steep);
     place.radius = sqrt(r2q2) / q;
     place.speed = r2q2 / q;
+    return place;
+}
 #else
 #ifdef EFFECT_LENSING
+// zeta, d zeta/d phi and d zeta/d|delta|.
+vec3 place_zeta(Trace trace, float phi, vec2 swept) {
     OrbitPoint point = orbit_point(trace.escapes, trace.ray.u, trace.ray.slope, phi, trace.phi_end, trace.phi_end_slope);
-    float zeta = point.zeta;
-    float along = point.along;
-    float across = point.across;
+    return vec3(point.zeta, point.along, point.across);
+}
 #else
-    // zeta = zeta0 sin(alpha - phi)/sin(alpha), written so that rays towards the centre keep their digits.
+// zeta = zeta0 sin(alpha - phi)/sin(alpha), written so that rays towards the centre keep their digits.
+vec3 place_zeta(Trace trace, float phi, vec2 swept) {
     float zeta0 = frame.shift.y;
     float s = trace_sine(trace);
     float cotangent = trace.c / s;
-    float zeta = zeta0 * (cos_phi - cotangent * sin_phi);
-    float along = -zeta0 * (sin_phi + cotangent * cos_phi);
-    float across = zeta0 * sin_phi / (s * s);
+    return vec3(zeta0 * (swept.y - cotangent * swept.x), -zeta0 * (swept.x + cotangent * swept.y), zeta0 * swept.x / (s * s));
+}
 #endif
-    zeta = max(zeta, 1.0e-10);
+
+RayPlace place_out(Trace trace, float phi, vec2 swept) {
+    vec3 zeta = place_zeta(trace, phi, swept);
     RayPlace place;
-    place.r = 1.0 / zeta;
-    place.r_along = -along * place.r * place.r;
-    place.r_across = -across * place.r * place.r;
+    place.r = 1.0 / max(zeta.x, 1.0e-10);
+    place.r_along = -zeta.y * place.r * place.r;
+    place.r_across = -zeta.z * place.r * place.r;
+    return place;
+}
 #endif
+
 #ifdef MARCH_PASSES
+RayPlace place_with_pixel(RayPlace place, Trace trace, float sin_phi) {
     float steep_along = place.r_along / place.r;
     float along_pixel = abs(place.r_across) * inversesqrt(1.0 + steep_along * steep_along);
     place.pixel = 0.5 * trace.pixel_angle * (along_pixel + place.r * abs(sin_phi) / trace_sine(trace));
+    return place;
+}
+#else
+RayPlace place_with_pixel(RayPlace place, Trace trace, float sin_phi) { return place; }
 #endif
+
+// 0 <= phi <= trace.phi_end. tangent: place_tangent.
+RayPlace place_of(Trace trace, vec3 tangent, float phi) {
+    vec2 swept = sine_cosine(phi);
+    RayPlace place = place_with_pixel(place_out(trace, phi, swept), trace, swept.x);
     vec3 e = radial_direction();
-    place.outward = cos_phi * e + sin_phi * tangent;
-    place.onward = cos_phi * tangent - sin_phi * e;
+    place.outward = swept.y * e + swept.x * tangent;
+    place.onward = swept.y * tangent - swept.x * e;
     place.at = place.r * place.outward;
 #ifdef NEEDS_PLACE_LATE
     place.delay = 0.0;

@@ -33,7 +33,6 @@ EXCEPTIONS = {
     "shaders/mino/medium.glsl:medium_to": (70, MARCH),
     "shaders/mino/tile.glsl:tile_bodies": (65, MARCH),
     "shaders/planar/medium.glsl:medium_to": (70, MARCH),
-    "shaders/planar/place.glsl:place_of": (65, MARCH),
 }
 BEGINS = re.compile(r"^(?!namespace|struct|class|enum|union|extern|constexpr|const |static const|inline const|#|//|\}|using|template)\w.*?(\w+)\([^;]*$")
 
