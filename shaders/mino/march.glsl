@@ -75,66 +75,97 @@ bool segment_reaches(SpinState from, SpinState to, float h) {
     return (max(from.y.w, to.y.w) + more) * frame.march.x >= 1.0;
 }
 
+// What a search along one step has come to.
+struct SegmentSearch {
+    MarchWay way;
+    RayPlace place;       // the last sample, at s
+    float s;
+    float value;
+    float room;
+    float before;         // the one before
+    float before_value;
+    MarchSpan span;       // where something may be met
+    bool grows_to;        // zeta at the step's end: the ray comes inward
+    bool on;              // there is more of the step to be sampled
+};
+
+SegmentSearch segment_start(SpinRay ray, SpinSegment segment, SolidSearch search) {
+    SegmentSearch at;
+    at.way.ray = ray;
+    at.way.segment = segment;
+    at.way.pixel_angle = search.pixel_angle;
+    at.s = 0.0;
+    at.place = way_place(at.way, at.s);
+    at.way.length = max(search.length, abs(1.0 / frame.shift.y - at.place.r));   // steps that no body is near to are left out
+    vec2 asked = way_ask(at.way, at.place);
+    at.value = asked.x;
+    at.room = asked.y;
+    at.before = max(1.0 - search.before / segment.h, -MARCH_LONGEST);
+    at.before_value = search.before_value;
+    at.grows_to = spin_slope_at(segment.arc, 1.0).w > 0.0;
+    at.on = true;
+    return at;
+}
+
+// Between the last sample, `length` on, and the next one.
+SegmentSearch segment_span(SegmentSearch at, RayPlace there, float next, float value_there, float length) {
+    if (at.value <= 0.0 ? at.before_value > 0.0 : value_there <= 0.0) {
+        at.span.enters = true;
+        at.span.inside = at.value <= 0.0 ? at.s : next;
+        at.span.inside_value = at.value <= 0.0 ? at.value : value_there;
+        at.span.outside = at.value <= 0.0 ? at.before : at.s;
+        at.span.outside_value = at.value <= 0.0 ? at.before_value : at.value;
+    }
+    if (at.value > 0.0 && value_there > 0.0 && at.value < at.before_value && at.value <= value_there &&
+        march_grazes(length, at.value, way_pixel(at.way, there, next))) {
+        at.span.grazes = true;
+        at.span.inside = next;
+        at.span.outside = at.before;
+        at.span.outside_value = at.before_value;
+    }
+    return at;
+}
+
+// To the next sample.
+SegmentSearch segment_sample(SegmentSearch at) {
+    float length = march_length(at.place, at.room, frame.march.x);
+    float next = min(at.s + march_step_length(at.place, length), 1.0);
+    RayPlace there = way_place(at.way, next);
+    vec3 chord = there.at - at.place.at;
+    at.way.length += sqrt(dot(chord, chord));
+    vec2 asked = way_ask(at.way, there);
+    at = segment_span(at, there, next, asked.x, length);
+    at.before = at.s;
+    at.before_value = at.value;
+    at.s = next;
+    at.value = asked.x;
+    at.room = asked.y;
+    at.place = there;
+    return at;
+}
+
 // Along a step that begins at Mino's time tau.
 SolidSearch segment_search(SpinRay ray, SpinSegment segment, float tau, SolidSearch search) {
-    float reach = frame.march.x;
-    MarchWay way;
-    way.ray = ray;
-    way.segment = segment;
-    way.pixel_angle = search.pixel_angle;
-    float s = 0.0;
-    RayPlace place = way_place(way, s);
-    way.length = max(search.length, abs(1.0 / frame.shift.y - place.r));   // steps that no body is near to are left out
-    vec2 asked = way_ask(way, place);
-    float value = asked.x;
-    float before = max(1.0 - search.before / segment.h, -MARCH_LONGEST);
-    float before_value = search.before_value;
-    bool grows_to = spin_slope_at(segment.arc, 1.0).w > 0.0;
-    bool on = true;
+    SegmentSearch at = segment_start(ray, segment, search);
     do {   // from one place that may be on a body to the next, as planar/march.glsl
-        MarchSpan span = march_span(s, value);
+        at.span = march_span(at.s, at.value);
         do {
-            float length = march_length(place, asked.y, reach);
-            float next = min(s + march_step_length(place, length), 1.0);
-            RayPlace there = way_place(way, next);
-            vec3 chord = there.at - place.at;
-            way.length += sqrt(dot(chord, chord));
-            asked = way_ask(way, there);
-            float value_there = asked.x;
-            if (value <= 0.0 ? before_value > 0.0 : value_there <= 0.0) {
-                span.enters = true;
-                span.inside = value <= 0.0 ? s : next;
-                span.inside_value = value <= 0.0 ? value : value_there;
-                span.outside = value <= 0.0 ? before : s;
-                span.outside_value = value <= 0.0 ? before_value : value;
-            }
-            if (value > 0.0 && value_there > 0.0 && value < before_value && value <= value_there &&
-                march_grazes(length, value, way_pixel(way, there, next))) {
-                span.grazes = true;
-                span.inside = next;
-                span.outside = before;
-                span.outside_value = before_value;
-            }
-            before = s;
-            before_value = value;
-            s = next;
-            value = value_there;
-            place = there;
+            at = segment_sample(at);
             // On its way out beyond every body; what it does in later steps they tell. On its way in close to the hole nothing is left.
-            bool outward = dot(place.velocity, place.outward) > 0.0;
-            search.going = search.going && (outward || place.r > frame.march_shell.z);
-            on = search.going && next < 1.0 && (place.r < reach || !outward || grows_to);
+            bool outward = dot(at.place.velocity, at.place.outward) > 0.0;
+            search.going = search.going && (outward || at.place.r > frame.march_shell.z);
+            at.on = search.going && at.s < 1.0 && (at.place.r < frame.march.x || !outward || at.grows_to);
             search.left -= 1;
-        } while (on && !span.enters && !span.grazes && search.left > 0);
-        MarchContact contact = march_contact(way, span, SOLID_BLUR);
-        if (span.enters || span.grazes)
+        } while (at.on && !at.span.enters && !at.span.grazes && search.left > 0);
+        MarchContact contact = march_contact(at.way, at.span, SOLID_BLUR);
+        if (at.span.enters || at.span.grazes)
             search = solid_met(search, contact.place, tau + contact.at * segment.h, contact.covered, contact.enters);
-        on = on && search.going;
-    } while (on && search.left > 0);
-    bool whole = s >= 1.0;
-    search.before = (1.0 - (whole ? before : s)) * segment.h;
-    search.before_value = whole ? before_value : value;
-    search.length = way.length;
+        at.on = at.on && search.going;
+    } while (at.on && search.left > 0);
+    bool whole = at.s >= 1.0;
+    search.before = (1.0 - (whole ? at.before : at.s)) * segment.h;
+    search.before_value = whole ? at.before_value : at.value;
+    search.length = at.way.length;
     search.going = search.going && search.left > 0;
     return search;
 }
