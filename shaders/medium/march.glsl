@@ -83,6 +83,22 @@ float medium_jump(float free, float before, float length, float r) {
     return min(max(free, min(0.9 * free / max(closer, 0.5), 0.15 * r)), MEDIUM_FARTHEST * r);
 }
 
+// The next sample's length behind a way to where there may be matter; comes: from outside of it.
+#ifdef MEDIUM_OWN_STEPS
+float medium_step(bool comes, float step) { return comes ? frame.medium_bound.y : step; }
+#else
+float medium_step(bool comes, float step) { return step; }
+#endif
+
+#ifdef MEDIUM_MEAN
+MediumSpan medium_on_ray(MediumSpan span, float from, float to) {
+    span.along = vec2(from, to);
+    return span;
+}
+#else
+MediumSpan medium_on_ray(MediumSpan span, float from, float to) { return span; }
+#endif
+
 // How much of a span the next sample is, where `left` of it is left. Some matter has samples as long as it
 // allows where they begin, in whole numbers:
 // the last one is no shorter than most.

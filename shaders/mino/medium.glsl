@@ -14,6 +14,8 @@ struct MediumWalk {
     float begun;          // Mino's time where it begins, and where it ends
     float ended;
     float part;           // of the step that is done
+    RayPlace place;       // there
+    bool empty;           // no matter there
     int left;             // steps of the ray
     int spans;
     bool outside;         // of the horizon
@@ -116,72 +118,76 @@ MediumWalk medium_next(MediumWalk walk) {
     return walk;
 }
 
+// To where there may be matter, up to the part `last` of the step.
+MediumWalk medium_on(MediumWalk walk, float last) {
+    bool comes = false;
+    float before = 1.0e6;
+    float length = 1.0e6;   // from there
+    do {
+        float free = medium_free(walk.place.r, walk.place.outward.z);
+        length = medium_jump(free, before, length, walk.place.r);
+        before = free;
+        float jump = min(place_part(walk.place, max(length, frame.medium_bound.y)), MEDIUM_LONGEST);
+        // On its way out beyond the outermost matter nothing more follows.
+        bool over = walk.place.r > frame.medium_bound.x && dot(walk.place.velocity, walk.place.outward) > 0.0;
+        walk.empty = over || free > walk.sum.step;   // a span is longer
+        comes = comes || walk.empty;
+        jump = walk.empty ? jump : 0.0;
+        walk.part = !over && jump < last - walk.part ? walk.part + jump : last;
+        walk.place = medium_place(walk.ray, walk.segment, walk.part);
+        walk.spans -= 1;
+    } while (walk.empty && walk.part < last && walk.spans > 0);
+    walk.sum.step = medium_step(comes, walk.sum.step);
+    return walk;
+}
+
+// And along a span from there; of it what medium_to() has not set.
+MediumWalk medium_through(MediumWalk walk, MediumSpan span, float last) {
+    float length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
+    float more = min(min(place_part(walk.place, length), MEDIUM_LONGEST), last - walk.part);
+    RayPlace next = medium_place(walk.ray, walk.segment, walk.part + more);
+    span.from = walk.place.at;
+    span.to = next.at;
+    span.from_slope = more * walk.place.velocity;
+    span.to_slope = more * next.velocity;
+    span.way = walk.segment.h * more * walk.doppler;
+    span.turns = vec2(medium_turn(walk.ray, walk.segment, walk.part), medium_turn(walk.ray, walk.segment, walk.part + more));
+#ifdef NEEDS_PLACE_LATE
+    span.delays = vec2(walk.place.delay, next.delay);
+#endif
+    span = medium_on_ray(span, walk.begun + walk.segment.h * walk.part, walk.begun + walk.segment.h * (walk.part + more));
+    walk.sum = medium_along(span, walk.sum, walk.empty);
+    walk.part = walk.empty ? walk.part : more < last - walk.part ? walk.part + more : last;
+    walk.place = next;
+    // Nor on its way in within the innermost.
+    bool outward = dot(walk.place.velocity, walk.place.outward) > 0.0;
+    walk.going = walk.going && (outward ? walk.place.r < frame.medium_bound.x || walk.part < last : walk.place.r > frame.medium_hole.w);
+    return walk;
+}
+
+// Along the step.
+MediumWalk medium_in_step(MediumWalk walk, MediumSpan span, float last) {
+    walk.place = medium_place(walk.ray, walk.segment, walk.part);
+    do walk = medium_through(medium_on(walk, last), span, last);
+    while (walk.part < last && walk.going && walk.sum.through > MEDIUM_LEAST && walk.spans > 0);
+    return walk;
+}
+
 // Along the ray from where the walk has come to, up to Mino's time `until`.
 MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
     walk.sum.light = vec3(0.0);
     walk.sum.through = 1.0;
     float inverse = 1.0 / walk.doppler;
-    vec3 camera = vec3(frame.spin_place.x * frame.spin_place.z, frame.spin_place.x * frame.spin_place.w, frame.spin_place.y) / frame.shift.y;
+    MediumSpan span;
+    span.by_length = false;
+    span.energy = trace.energy * inverse;
+    span.momentum = trace.momentum * inverse;
+    span.pixel_angle = trace.pixel_angle;
+    span.camera = vec3(frame.spin_place.x * frame.spin_place.z, frame.spin_place.x * frame.spin_place.w, frame.spin_place.y) / frame.shift.y;
     do {
         if (walk.part >= 1.0) walk = medium_next(walk);
         float last = min((until - walk.begun) / max(walk.segment.h, 1.0e-20), 1.0);
-        if (walk.part < last) {
-            RayPlace place = medium_place(walk.ray, walk.segment, walk.part);
-            do {
-                bool empty = false;
-#ifdef MEDIUM_OWN_STEPS
-                bool comes = false;
-#endif
-                float before = 1.0e6;
-                float length = 1.0e6;   // from there
-                do {   // to where there may be matter
-                    float free = medium_free(place.r, place.outward.z);
-                    length = medium_jump(free, before, length, place.r);
-                    before = free;
-                    float jump = min(place_part(place, max(length, frame.medium_bound.y)), MEDIUM_LONGEST);
-                    // On its way out beyond the outermost matter nothing more follows.
-                    bool over = place.r > frame.medium_bound.x && dot(place.velocity, place.outward) > 0.0;
-                    empty = over || free > walk.sum.step;   // a span is longer
-#ifdef MEDIUM_OWN_STEPS
-                    comes = comes || empty;
-#endif
-                    jump = empty ? jump : 0.0;
-                    walk.part = !over && jump < last - walk.part ? walk.part + jump : last;
-                    place = medium_place(walk.ray, walk.segment, walk.part);
-                    walk.spans -= 1;
-                } while (empty && walk.part < last && walk.spans > 0);
-#ifdef MEDIUM_OWN_STEPS
-                walk.sum.step = comes ? frame.medium_bound.y : walk.sum.step;   // from outside of it
-#endif
-                length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
-                float more = min(min(place_part(place, length), MEDIUM_LONGEST), last - walk.part);
-                RayPlace next = medium_place(walk.ray, walk.segment, walk.part + more);
-                MediumSpan span;
-                span.from = place.at;
-                span.to = next.at;
-                span.from_slope = more * place.velocity;
-                span.to_slope = more * next.velocity;
-                span.way = walk.segment.h * more * walk.doppler;
-                span.by_length = false;
-                span.turns = vec2(medium_turn(walk.ray, walk.segment, walk.part), medium_turn(walk.ray, walk.segment, walk.part + more));
-                span.energy = trace.energy * inverse;
-                span.momentum = trace.momentum * inverse;
-                span.pixel_angle = trace.pixel_angle;
-                span.camera = camera;
-#ifdef NEEDS_PLACE_LATE
-                span.delays = vec2(place.delay, next.delay);
-#endif
-#ifdef MEDIUM_MEAN
-                span.along = walk.begun + walk.segment.h * vec2(walk.part, walk.part + more);
-#endif
-                walk.sum = medium_along(span, walk.sum, empty);
-                walk.part = empty ? walk.part : more < last - walk.part ? walk.part + more : last;
-                place = next;
-                // Nor on its way in within the innermost.
-                bool outward = dot(place.velocity, place.outward) > 0.0;
-                walk.going = walk.going && (outward ? place.r < frame.medium_bound.x || walk.part < last : place.r > frame.medium_hole.w);
-            } while (walk.part < last && walk.going && walk.sum.through > MEDIUM_LEAST && walk.spans > 0);
-        }
+        if (walk.part < last) walk = medium_in_step(walk, span, last);
         walk.going = walk.going && walk.spans > 0 && !(walk.ends && walk.part >= 1.0);
     } while (walk.going && walk.sum.through > MEDIUM_LEAST && walk.begun + walk.part * walk.segment.h < until * (1.0 - 1.0e-6));
     return walk;

@@ -29,7 +29,6 @@ EXCEPTIONS = {
     "src/plan/picture_features.cpp:picture_features": (185, ROWS),
     "src/shaderlib/body_text.cpp:march_text": (85, "a text from its first line to its last"),
     "python/module/spacetime.cpp:add_spacetime": (65, "a class of Python, as rows"),
-    "shaders/mino/medium.glsl:medium_to": (70, MARCH),
     "shaders/mino/tile.glsl:tile_bodies": (65, MARCH),
     "shaders/planar/medium.glsl:medium_to": (70, MARCH),
 }
