@@ -42,10 +42,8 @@ RayPlace medium_at(Trace trace, vec3 tangent, float along) {
     return place;
 }
 
-#ifdef NEEDS_PLACE_LATE
 RayPlace medium_late(Trace trace, RayPlace place, float along) { return place; }
 RayPlace medium_next(Trace trace, vec3 tangent, float along, RayPlace from, float from_along) { return medium_at(trace, tangent, along); }
-#endif
 
 float medium_part(RayPlace place, float length) { return length; }
 

@@ -30,7 +30,6 @@ EXCEPTIONS = {
     "src/shaderlib/body_text.cpp:march_text": (85, "a text from its first line to its last"),
     "python/module/spacetime.cpp:add_spacetime": (65, "a class of Python, as rows"),
     "shaders/mino/tile.glsl:tile_bodies": (65, MARCH),
-    "shaders/planar/medium.glsl:medium_to": (70, MARCH),
 }
 BEGINS = re.compile(r"^(?!namespace|struct|class|enum|union|extern|constexpr|const |static const|inline const|#|//|\}|using|template)\w.*?(\w+)\([^;]*$")
 
