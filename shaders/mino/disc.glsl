@@ -1,4 +1,4 @@
-// The disc about a rotating hole: what of the ray's crossings of the equatorial plane (mino/trace.glsl) lies between its radii.
+// The disc about a rotating hole: what of the ray's crossings of the equatorial plane (mino/kept_crossings.glsl) lies between its radii.
 // As planar/disc.glsl.
 #include "mino/trace.glsl"
 #include "object/disc_rim.glsl"

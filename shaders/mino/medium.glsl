@@ -1,4 +1,4 @@
-// Matter along a ray about a rotating hole: the ray's steps once more (mino/trace.glsl), and samples within those that come near it.
+// Matter along a ray about a rotating hole: the ray's steps once more (mino/walk.glsl), and samples within those that come near it.
 #include "medium/march.glsl"
 #include "mino/place.glsl"
 #include "mino/ray.glsl"
