@@ -12,6 +12,7 @@ float ball_value(int i, RayPlace place) {
     vec3 offset = place.at - ball_middle(i, place);
     return sqrt(dot(offset, offset)) - body_form(i).w;
 }
+float ball_least(int i, RayPlace place) { return ball_value(i, place); }   // of its room
 #ifdef MARCH_PASSES
 float ball_room(int i, RayPlace place) {
     return passing_room(place, place.at - ball_middle(i, place), body_form(i).w, passing_course(place), passing_bend(place), ball_value(i, place));

@@ -50,6 +50,17 @@ vec3 ball_path_place(BallPath path) {
 
 vec3 moving_ball_middle(int i, RayPlace place) { return ball_path_place(moving_ball_path(i, place)); }
 
+#define BALL_PATH_CELL 1.5   // how far it goes within a cell, over that at its largest speed: and more than rounding
+
+// Of its room, by the node before alone.
+float moving_ball_least(int i, RayPlace place) {
+    vec4 form = body_form(i);
+    float last = float(textureSize(ball_path_texture, 0).x - 1);
+    float node = clamp((place.delay - form.x) * form.y, 0.0, last - 1.0);
+    vec3 offset = place.at - ball_path_fetch(int(node), 2 * (i - BALL_PATH_FIRST)).xyz;
+    return (sqrt(dot(offset, offset)) - form.w - BALL_PATH_CELL * form.z / form.y) / (1.0 + form.z * place_slowness(place));
+}
+
 float moving_ball_value(int i, RayPlace place) {
     vec3 middle = moving_ball_middle(i, place);
     vec3 offset = place.at - middle;

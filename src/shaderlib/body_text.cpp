@@ -6,12 +6,11 @@
 #include <set>
 #include <tuple>
 
-#include "expr/formula.h"
 #include "plan/body_kind.h"
 #include "plan/moving.h"
 #include "scene/named_surface.h"
 #include "shaderlib/medium_text.h"
-#include "shaderlib/preprocess.h"
+#include "shaderlib/pattern_text.h"
 #include "shaderlib/shader_source.h"
 
 namespace nullscope {
@@ -110,17 +109,6 @@ std::vector<Group> groups_of(const Scene& scene, bool mino) {
     return groups;
 }
 
-std::string replaced(std::string text, std::string_view what, std::string_view with) {
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
-        text.replace(at, what.size(), with);
-    return text;
-}
-
-std::string statements(const std::string& text, const std::vector<std::string>& variables, const char* otherwise) {
-    const auto formula = expr::Formula::parse(text, variables);
-    return formula ? formula->glsl("value") : otherwise;
-}
-
 // The template of shaders/object/surface.glsl for each formula.
 std::string surfaces_text(const std::vector<Group>& groups) {
     std::string text;
@@ -145,23 +133,6 @@ std::string includes_of(const std::vector<Group>& groups) {
     return text;
 }
 
-// The template of shaders/object/pattern.glsl for what is covered.
-std::string pattern_text(const std::string& name, const Material& material, const char* mapping, bool solid,
-                         int image) {
-    constexpr const char* kTextures[] = {"TEXTURE_PLAIN", "TEXTURE_CHECKER", "TEXTURE_GRID", "TEXTURE_STRIPES",
-                                         "TEXTURE_NOISE", "TEXTURE_FORMULA", "TEXTURE_IMAGE"};
-    std::vector<std::string> defines = {kTextures[static_cast<int>(material.texture)], mapping};
-    if (material.texture >= TextureKind::kChecker && material.texture <= TextureKind::kStripes)
-        defines.emplace_back("TEXTURE_PATTERN");
-    if (solid) defines.emplace_back("MAPPING_OUTSIDE");
-    std::string text = resolved_branches(shader_file("object/pattern.glsl"), defines);
-    if (material.texture == TextureKind::kFormula)
-        text = replaced(std::move(text), "BODY_STATEMENTS\n",
-                        statements(material.formula, {"u", "v", "x", "y", "z"}, "    float value = 0.0;\n"));
-    text = replaced(std::move(text), "IMAGE", fmt::format("body_image_{}", image));
-    return replaced(std::move(text), "BODY", name);
-}
-
 std::string light_text(const Group& group, const Material& material) {
     constexpr const char* kMappings[] = {"MAPPING_EQUIRECTANGULAR", "MAPPING_BAND", "MAPPING_CAPS", "MAPPING_CUBE"};
     const char* mapping =
@@ -170,15 +141,6 @@ std::string light_text(const Group& group, const Material& material) {
                        std::string(shader_file("object/body_light.glsl"));
     text = replaced(std::move(text), "KIND", group.shape.name);
     return replaced(std::move(text), "BODY", group.name);
-}
-
-std::string materials_of(const Scene& scene) {
-    std::string text;
-    if (scene.disc && scene.disc->material.texture < TextureKind::kImage)
-        text += pattern_text("disc_material", scene.disc->material, "MAPPING_POLAR", false, 0);
-    const Material sky = sky_material(scene.sky);
-    if (is_procedural(scene.sky.kind)) text += pattern_text("sky", sky, "MAPPING_INSIDE", false, 0);
-    return text;
 }
 
 // Whether a body's value is another thing than its distance.
@@ -205,14 +167,16 @@ std::string by_side(const Group& group) {
     return text + function("room", has_distance(group) ? "room" : "value", room.c_str());
 }
 
-// A statement for body i of each of a group, or of those that are in a set too.
+// A statement for body i of each of a group, or of those in a set too: tested at the end, as software drivers run all of a loop once more.
 std::string for_each(const Group& group, const std::string& statement, const char* set = nullptr) {
     if (!group.is_list()) return replaced(statement, "(i,", fmt::format("({},", group.from));
-    const std::string loop =
-        set == nullptr
-            ? fmt::format("int i = {}; i < {}; ++i", group.from, group.to)
-            : fmt::format("int i = bit_from({0}, {2}); i < {1}; i = bit_from(i + 1, {2})", group.from, group.to, set);
-    return fmt::format("    for ({}) {{\n{}    }}\n", loop, statement);
+    if (set == nullptr)
+        return fmt::format("    for (int i = {}; i < {}; ++i) {{\n{}    }}\n", group.from, group.to, statement);
+    return fmt::format(
+        "    {{\n    int i = bit_from({0}, {2});\n    bool more = i < {1};\n    do {{\n    i = min(i, {1} - 1);\n    "
+        "if (more) {{\n{3}    "
+        "}}\n    i = bit_from(i + 1, {2});\n    more = i < {1};\n    }} while (more);\n    }}\n",
+        group.from, group.to, set, statement);
 }
 
 // "1 + i" where a statement is for one body.
@@ -230,13 +194,31 @@ std::string clear_statement(const std::string& away) {
         away);
 }
 
+// Body i is added to a set unless it is farther than the way.
+std::string list_statement(const std::string& away, const char* set) {
+    return fmt::format("    if (!({0} > way)) {1} = with_bit(i, {1});\n", away, set);
+}
+
+// The statements of march_list: those whose room may be shorter than the way by a bound of it, and of these those whose is.
+struct ListTexts {
+    std::string close{}, near{};
+};
+
+void add_to_lists(ListTexts& lists, const Group& group, const std::string& room, const std::string& least) {
+    if (!group.is_list()) return;
+    const bool bound = group.shape.name == "ball" || group.shape.name == "moving_ball";
+    if (bound) lists.close += for_each(group, list_statement(least, "bodies_close"), "bodies_shown");
+    lists.near += for_each(group, list_statement(room, "bodies_near"), bound ? "bodies_close" : "bodies_shown");
+}
+
 constexpr int kMostSteps = 512;  // of a march: what many bodies ask for is bounded
 
 std::string march_text(const std::vector<Group>& groups, const Scene& scene, const EffectSet& effects) {
     const bool sides = effects.contains(Effect::kSides), mino = light_path_kind(effects) == LightPathKind::kMino;
     const bool lists = !sides && std::ranges::any_of(groups, &Group::is_list);
     const char* near = lists ? "bodies_near" : nullptr;
-    std::string ask, nearest, object, clear, list, helpers = includes_of(groups);
+    std::string ask, nearest, object, clear, helpers = includes_of(groups);
+    ListTexts list;
     if (has_tiles(effects) || lists) helpers += include_line("core/bits.glsl");
     if (lists)
         helpers +=
@@ -266,15 +248,12 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
                      fmt::format("    next = {0};\n    if (abs(next) < abs(nearest.x)) nearest = vec2(next, {1});\n",
                                  far, has_distance(group) ? here("steepness") : "1.0"),
                      near);
-        if (group.is_list())
-            list += for_each(
-                group, fmt::format("    if (!({} > way)) bodies_near = with_bit(i, bodies_near);\n", here("room")),
-                "bodies_shown");
+        add_to_lists(list, group, here("room"), here("least"));
         const char* away = has_distance(group)                 ? "clear"
                            : group.shape.name == "moving_ball" ? "away"
                            : group.shape.moves                 ? "room"
                                                                : "value";
-        clear += for_each(group, clear_statement(here(away)));
+        clear += for_each(group, clear_statement(here(away)), near);
         object += for_each(group, object_statement(group, far), lists ? "bodies_shown" : nullptr);
     }
     if (marched == 0) return "";
@@ -303,7 +282,8 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
                          "    float next = 0.0;\n" +
                              nearest + "    return nearest;\n}\n"
                        : "vec2 march_nearest(RayPlace place, float value) { return vec2(value, 1.0); }\n") +
-           (lists ? "void march_list(RayPlace place, float way) {\n    bodies_near = uvec2(0u, 0u);\n" + list + "}\n"
+           (lists ? "void march_list(RayPlace place, float way) {\n    uvec2 bodies_close = uvec2(0u, 0u);\n" +
+                        list.close + "    bodies_near = uvec2(0u, 0u);\n" + list.near + "}\n"
                   : "") +
            (groups.front().shape.marched ? "" : "#define TILES_HAVE_SPHERE\n") +
            (has_tiles(effects) ? "float march_clear(RayPlace place, float near, inout uvec2 bodies) {\n    float away "
