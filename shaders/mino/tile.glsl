@@ -23,7 +23,11 @@ bool spin_captured(SpinRay ray, SpinState from) {
     return captured;
 }
 
-uvec2 tile_bodies(vec2 middle) {
+// among: the only ones that it may show.
+uvec2 tile_bodies(vec2 middle, uvec2 among) {
+#ifdef MARCH_LISTS
+    bodies_near = among;
+#endif
     SpinRay rays[TILE_RAYS];
     SpinState now[TILE_RAYS];
     float behind[TILE_RAYS];   // the middle ray, by Mino's time: at places next to its
@@ -45,7 +49,7 @@ uvec2 tile_bodies(vec2 middle) {
     uvec2 bodies = uvec2(0u, 0u);
     bool bundle = true;
     bool below = false;   // all bodies, for good
-    bool more = true;
+    bool more = among != uvec2(0u, 0u);
     SpinSegment segments[TILE_RAYS];
     do {
         SpinState before = now[0];
@@ -77,12 +81,12 @@ uvec2 tile_bodies(vec2 middle) {
             bodies = look.bodies;
             bool away = place.r - look.spread > frame.march.x && now[0].v.w < 0.0;   // from all bodies, for good
             below = captured && place.r + TILE_DEEPER * farther < frame.march_shell.y;
-            more = look.free < TILE_NONE && !(outward ? away : below);
+            more = more && look.free < TILE_NONE && !(outward ? away : below);
             s += max(place_part(place, min(TILE_STEP * look.free, 0.4 * place.r)), 1.0e-3);
             --looks;
         }
         more = more && spin_goes(now[0].y.w, end, left, true);
     } while (bundle && more && looks > 0);
     bool ends = below || now[0].y.w < end;   // not at the horizon while others turn
-    return bundle && ends && looks > 0 && left > 0 ? bodies : TILE_ALL;
+    return bundle && ends && looks > 0 && left > 0 ? bodies & among : among;
 }

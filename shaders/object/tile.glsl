@@ -6,7 +6,6 @@
 
 #define TILE_ALL uvec2(0xffffffffu, 0xffffffffu)
 #define TILE_RAYS 5
-#define TILE_REACH (0.5 * float(TILE_SIDE) + 1.0)   // px from the middle to the sides, and a pixel for edges that are blurred
 #define TILE_SPREAD 1.5    // how much farther from the middle ray a ray of the tile may be than the farthest of the corners'
 #define TILE_WIDEST 0.6    // of the radius: rays farther apart are no bundle
 #define TILE_LEAST 0.1     // of the spread, left to the nearest body
@@ -14,10 +13,16 @@
 #define TILE_LOOKS 128
 #define TILE_NONE 1.0e29   // free: there are no others
 
+uniform int tile_scale;   // FIRST_TILES: of the first pass, whose tiles are so many times as wide; 1
+
+float tile_side() { return float(TILE_SIDE * tile_scale); }
+float tile_reach() { return 0.5 * tile_side() + 1.0; }   // px from the middle to the sides, and a pixel for edges that are blurred
+
 // From the tile's middle, px. 0: the middle.
 vec2 tile_ray(int k) {
     if (k == 0) return vec2(0.0, 0.0);
-    return vec2(k < 3 ? -TILE_REACH : TILE_REACH, k == 1 || k == 3 ? -TILE_REACH : TILE_REACH);
+    float reach = tile_reach();
+    return vec2(k < 3 ? -reach : reach, k == 1 || k == 3 ? -reach : reach);
 }
 
 // Where the corners' rays are next to a place of the middle's.
@@ -60,7 +65,7 @@ struct TileLook {
 // way: from the camera.
 TileLook tile_look(RayPlace place, TileSpread corners, float way, float pixel_angle, uvec2 bodies) {
     TileLook look;
-    look.spread = max(TILE_SPREAD * corners.across, 1.5 * TILE_REACH * pixel_angle * way);
+    look.spread = max(TILE_SPREAD * corners.across, 1.5 * tile_reach() * pixel_angle * way);
     look.bodies = bodies;
     look.free = march_clear(place, look.spread + max(TILE_LEAST * look.spread, frame.march.y), look.bodies) - look.spread;
     look.bundle = corners.offset < TILE_WIDEST * place.r;   // not where they are no numbers

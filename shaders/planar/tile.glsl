@@ -5,7 +5,11 @@
 #include "planar/trace.glsl"
 #include "shared/frame.glsl"
 
-uvec2 tile_bodies(vec2 middle) {
+// among: the only ones that it may show.
+uvec2 tile_bodies(vec2 middle, uvec2 among) {
+#ifdef MARCH_LISTS
+    bodies_near = among;
+#endif
     Trace rays[TILE_RAYS];
     float behind[TILE_RAYS];   // the middle ray, by swept angle: at places next to its
     bool bundle = true;   // unless the tile is about the radial direction, where swept angles say nothing
@@ -15,13 +19,13 @@ uvec2 tile_bodies(vec2 middle) {
         bundle = bundle && rays[k].escapes == rays[0].escapes;
     }
     Trace ray = rays[0];
-    bundle = bundle && ray.s > 3.0 * TILE_REACH * ray.pixel_angle;
+    bundle = bundle && ray.s > 3.0 * tile_reach() * ray.pixel_angle;
     vec3 tangent = place_tangent(ray);
     vec3 start = radial_direction() / frame.shift.y;
     uvec2 bodies = uvec2(0u, 0u);
     float phi = 0.0;
     int left = TILE_LOOKS;
-    bool more = true;
+    bool more = among != uvec2(0u, 0u);
     do {
         RayPlace place = place_seen(ray, tangent, phi);
         TileSpread corners = tile_together();
@@ -42,9 +46,9 @@ uvec2 tile_bodies(vec2 middle) {
 #else
         bool below = !ray.escapes && place.r + look.spread < frame.march_shell.y;
 #endif
-        more = phi < ray.phi_end && look.free < TILE_NONE && (place.r_along < 0.0 ? !below : place.r - look.spread < frame.march.x);
+        more = more && phi < ray.phi_end && look.free < TILE_NONE && (place.r_along < 0.0 ? !below : place.r - look.spread < frame.march.x);
         phi = min(phi + place_part(place, min(TILE_STEP * look.free, 0.4 * place.r)), ray.phi_end);
         --left;
     } while (bundle && more && left > 0);
-    return bundle && left > 0 ? bodies : TILE_ALL;
+    return bundle && left > 0 ? bodies & among : among;
 }

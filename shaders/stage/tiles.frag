@@ -1,4 +1,5 @@
-// What the picture's tiles may show, a texel a tile: the set of bodies (core/bits.glsl), or neither body nor disc.
+// What the picture's tiles may show, a texel a tile: the set of bodies (core/bits.glsl), or neither body nor disc. Bodies are looked for in larger
+// tiles first, whose texels are sets alone (tile_scale).
 #include "core/view.glsl"
 #include "generated/tiles"
 #include "shared/frame.glsl"
@@ -6,6 +7,13 @@
 #ifdef TILES_OF_BODIES
 #include "core/bits.glsl"
 #include "path/tile"
+
+uniform highp sampler2D tile_texture;   // of the first pass
+
+uvec2 tile_among() {
+    ivec2 first = ivec2(gl_FragCoord.xy) / FIRST_TILES;
+    return tile_scale > 1 ? TILE_ALL : set_of(texelFetch(tile_texture, first, 0));
+}
 #endif
 #ifdef TILES_OF_DISC
 #include "stage/tile_disc.glsl"
@@ -20,7 +28,8 @@ void main() {
     vec4 bodies = vec4(0.0);
     bool sky = true;
 #ifdef TILES_OF_BODIES
-    bodies = texel_of(tile_bodies(picture_place(gl_FragCoord.xy * float(TILE_SIDE))));
+    vec4 set = texel_of(tile_bodies(picture_place(gl_FragCoord.xy * tile_side()), tile_among()));
+    bodies = set;
     sky = max(max(bodies.x, bodies.y), max(bodies.z, bodies.w)) == 0.0;
 #endif
 #ifdef TILES_OF_DISC
@@ -37,4 +46,7 @@ void main() {
     kind = tile_interpolates(ivec2(gl_FragCoord.xy)) ? TILE_INTERPOLATED : TILE_SKY;
 #endif
     colour = sky ? vec4(kind) : bodies;
+#ifdef TILES_OF_BODIES
+    colour = tile_scale > 1 ? set : colour;
+#endif
 }

@@ -5,9 +5,9 @@
 namespace nullscope {
 namespace {
 
-// What parts begin at multiples of, from the lower left corner, and what they have around them that is not used: the picture's tiles (8
-// px), and the neighbours that edges are found by.
-constexpr int kGrid_px = 8;
+// What parts begin at multiples of, from the lower left corner, and what they have around them that is not used: the picture's largest
+// tiles, and the neighbours that edges are found by.
+constexpr int kGrid_px = kFirstTiles * kTileSide;
 
 template <class T, class Draw>
 Result<Image<T>> drawn_in_parts(Renderer& renderer, const Exposure& shown, PictureBand band, int widest, Draw draw) {

@@ -20,14 +20,31 @@ void PictureTiles::resize(const std::vector<Pass>& passes, int width, int height
     const bool tiles = std::ranges::any_of(passes, [](const Pass& pass) { return finds_tiles(pass.stage); });
     resize_target(rays_, rays, rays_a_tile(effects) * (across + 3), up + 3, tiles_classify_disc(effects) ? 2 : 1);
     resize_target(tiles_, tiles, across, up, 1);
+    // Of odd sizes: llvmpipe compiles once more for textures whose sides are powers of two.
+    const bool large = tiles && has_tiles(effects);
+    const auto odd = [](int count) { return std::max((count + kFirstTiles - 1) / kFirstTiles, 3) | 1; };
+    resize_target(large_, large, odd(across), odd(up), 1);
+    resize_target(none_, large, 3, 3, 1);
 }
 
 void PictureTiles::find(Stage stage, const gl::Program& program, const gl::VertexArray& empty) {
-    const gl::Target& target = stage == Stage::kRays ? rays_ : tiles_;
-    gl::draw_fullscreen(program, empty, target.framebuffer.id(), target.width, target.height);
+    const auto draw = [&](const gl::Target& target) {
+        gl::draw_fullscreen(program, empty, target.framebuffer.id(), target.width, target.height);
+    };
+    if (stage == Stage::kRays) return draw(rays_);
+    if (large_.width > 0) {
+        gl::bind_texture_2d(first_, none_.colours.front());
+        gl::set_integer(program, "tile_scale", kFirstTiles);
+        draw(large_);
+        gl::bind_texture_2d(first_, large_.colours.front());
+        gl::set_integer(program, "tile_scale", 1);
+    }
+    draw(tiles_);
+    gl::bind_texture_2d(first_, tiles_.colours.front());
 }
 
-void PictureTiles::bind(int first) const {
+void PictureTiles::bind(int first) {
+    first_ = first;
     if (tiles_.width > 0) gl::bind_texture_2d(first, tiles_.colours.front());
     for (std::size_t i = 0; i < rays_.colours.size(); ++i)
         gl::bind_texture_2d(first + 1 + static_cast<int>(i), rays_.colours[i]);

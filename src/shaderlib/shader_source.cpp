@@ -233,8 +233,9 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         {"generated/constants", fmt::format("#define METER_KEY {}\n", kMeterKey)},
         {"generated/tiles",
          fmt::format(
-             "#define TILE_SIDE {}\n#define BLOCK_SIDE {}\n#define RAYS_A_TILE {}\n#define FIRST_PICTURE_TILE {}\n",
-             kTileSide, kBlockSide, rays_a_tile(effects), kFirstPictureTile)},
+             "#define TILE_SIDE {}\n#define BLOCK_SIDE {}\n#define RAYS_A_TILE {}\n#define FIRST_PICTURE_TILE {}\n"
+             "#define FIRST_TILES {}\n",
+             kTileSide, kBlockSide, rays_a_tile(effects), kFirstPictureTile, kFirstTiles)},
         {"generated/objects", bodies.objects},
         {"generated/surfaces", bodies.surfaces},
         {"generated/bodies_march", bodies.march},

@@ -40,8 +40,9 @@ enum class Stage {
     kInterpolatedRays,
     kRayList
 };
-inline constexpr int kTileSide = 8;   // px
-inline constexpr int kBlockSide = 4;  // px, of the blocks in which pixels are drawn again with more rays
+inline constexpr int kTileSide = 8;    // px
+inline constexpr int kFirstTiles = 4;  // tiles a side of those of the first pass, which bodies are looked for in
+inline constexpr int kBlockSide = 4;   // px, of the blocks in which pixels are drawn again with more rays
 // Stage kPicture draws one triangle, vertices 0 to 2, or tiles as points, of which this is the first.
 inline constexpr unsigned kFirstPictureTile = 3;
 int rays_a_tile(
