@@ -60,6 +60,8 @@ SolidSearch solid_met(SolidSearch search, RayPlace place, float tau, float cover
         search.hit.place = place;
         search.hit.phi = tau;
         search.hit.covered = cover;
+    } else if (entered) {   // behind an edge, or behind something thinner than a pixel
+        search.hit.covered += (1.0 - search.hit.covered) * cover;
     }
     search.entered = search.entered || entered;
     if (entered && cover >= 1.0) {

@@ -75,8 +75,7 @@ uvec2 tile_bodies(vec2 middle, uvec2 among) {
                 behind[k] = (there - s - tile_ahead(place, off) / max(place_speed(place), 1.0e-20)) * step;
                 farther = max(farther, abs(other.r - place.r));
             }
-            vec3 chord = place.at - start;
-            TileLook look = tile_look(place, corners, sqrt(dot(chord, chord)), pixel_angle, bodies);
+            TileLook look = tile_look(place, corners, distance(place.at, start), pixel_angle, bodies);
             bundle = bundle && look.bundle;
             bodies = look.bodies;
             bool away = place.r - look.spread > frame.march.x && now[0].v.w < 0.0;   // from all bodies, for good

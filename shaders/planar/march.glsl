@@ -145,6 +145,8 @@ Search search_contact(Search search, float blur) {
         search.hit.phi = contact.at;
         search.hit.place = contact.place;
         search.hit.covered = contact.covered;
+    } else if (contact.enters) {   // behind an edge, or behind something thinner than a pixel
+        search.hit.covered += (1.0 - search.hit.covered) * contact.covered;
     }
     search.entered = search.entered || contact.enters;
     if (contact.enters && contact.covered >= 1.0) {   // not on to the sky: all of it is what is entered first

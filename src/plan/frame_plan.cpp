@@ -47,6 +47,7 @@ Result<FramePlan> plan_frame(const Scene& scene, bool light_times, const FramePl
         plan.light = last != nullptr && last->straight() ? last->light : *make_spacetime("minkowski", {});
     TRY(observer, observer_of(*plan.matter, scene.camera));
     plan.observer = *observer;
+    if (!scene.light.aberration) plan.observer.turn = Mat3{};  // the view directions of one at rest
     if (Status parts = check_light_parts(*plan.matter, scene); !parts) return parts.error();
     if (scene.camera.zoom) {
         TRY(view, ring_view(*plan.matter, scene.camera, scene.light));

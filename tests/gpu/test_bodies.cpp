@@ -11,6 +11,7 @@
 #include "shaderlib/preprocess.h"
 #include "spacetime/registry.h"
 #include "spacetime/tortoise.h"
+#include "support/draft.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -152,6 +153,29 @@ TEST_CASE("bodies: two kinds side by side shed no light beside them" * test::cos
                     bodies[a].second(scene), bodies[b].second(scene);
                     CHECK(lit_beside_bodies(session, scene) == 0);
                 }
+    });
+}
+
+// A labyrinth wider than the view: every ray ends on it (the reference's all do), so that its edges and what is thinner than a pixel stand
+// before more of it, not before the sky. One ray a pixel.
+TEST_CASE("bodies: behind a body's edge is what lies behind it") {
+    static constexpr float kLeast = 0.98F;  // of its light; 0.85 where edges stand before the sky
+    on_one_context([](GpuSession& session) {
+        for (const char* metric : {"schwarzschild", "kerr"}) {
+            Scene scene = Draft()
+                              .metric(metric)
+                              .size(64, 36)
+                              .sky(SkyKind::kBlack)
+                              .body(SurfaceSpec{.kind = SurfaceKind::kGyroid});
+            scene.picture.refine = false;
+            REQUIRE(session.renderer->prepare(scene));
+            const Image<float> picture = session.renderer->picture();
+            float sum = 0;
+            for (int y = 0; y < 36; ++y)
+                for (int x = 0; x < 64; ++x) sum += *picture.at(x, y);
+            CAPTURE(metric);
+            CHECK(sum / (64 * 36) > kLeast);
+        }
     });
 }
 

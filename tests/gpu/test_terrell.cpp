@@ -91,4 +91,22 @@ TEST_CASE("terrell: a ball passing at 0.9 c has a round outline, by the referenc
     CHECK(std::fabs(rim_px(aside, 0) - rim_px(aside, M_PI)) > 2 * kPromised_px);
 }
 
+// Two motions that are not along one line turn the camera between them (Thomas and Wigner), which is a change of directions too.
+TEST_CASE("aberration off: an orbiting camera with a velocity of its own looks where one at rest does") {
+    static constexpr double kFloat = 1e-4;  // rad: rounding, next to the shadow; 0.05 and more where the camera turns
+    on_one_context([](GpuSession& session) {
+        Scene scene;
+        scene.camera.width = 16, scene.camera.height = 9, scene.light.aberration = false;
+        REQUIRE(session.renderer->prepare(scene));
+        const RayFrame still = session.renderer->ray_data();
+        scene.camera.observer = ObserverKind::kOrbit, scene.camera.velocity = {-0.3, 0.4, -0.3};
+        REQUIRE(session.renderer->prepare(scene));
+        const RayFrame moving = session.renderer->ray_data();
+        for (std::size_t i = 0; i < still.pixels.size(); ++i) {
+            CHECK(moving.pixels[i].fate == still.pixels[i].fate);
+            CHECK(length(moving.pixels[i].sky - still.pixels[i].sky) < kFloat);
+        }
+    });
+}
+
 }  // namespace
