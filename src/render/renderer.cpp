@@ -230,7 +230,8 @@ std::vector<Pass> Renderer::picture_passes(Output output) const {
 }
 
 bool Renderer::build_next() {
-    constexpr int kSide = 3 * kFirstTiles * kTileSide;  // no power of two: llvmpipe compiles once more for textures of such sizes
+    constexpr int kSide =
+        3 * kFirstTiles * kTileSide;  // no power of two: llvmpipe compiles once more for textures of such sizes
     const std::vector<Pass> list = passes_with(most_built_tiles_, Output::kDisplay);
     for (const Pass& pass : list) {
         if (!is_in_tiles(pass.stage) || programs_.contains(program_key(pass.stage, pass.output))) continue;
