@@ -54,20 +54,10 @@ SolidSearch solid_search(bool ours, float pixel_angle) {
     return search;
 }
 
-// What the ray enters first, or else comes closest to. Where it enters something behind that as a whole it does not go on to the sky.
-SolidSearch solid_met(SolidSearch search, RayPlace place, float tau, float cover, bool entered) {
-    if (!search.entered && (entered || cover > search.hit.covered)) {
-        search.hit.place = place;
-        search.hit.phi = tau;
-        search.hit.covered = cover;
-    } else if (entered) {   // behind an edge, or behind something thinner than a pixel
-        search.hit.covered += (1.0 - search.hit.covered) * cover;
-    }
-    search.entered = search.entered || entered;
-    if (entered && cover >= 1.0) {
-        search.hit.covered = 1.0;
-        search.going = false;
-    }
+SolidSearch solid_met(SolidSearch search, MarchContact contact, float tau) {
+    search.hit = hit_with_contact(search.hit, search.entered, tau, contact.place, contact.covered, contact.enters);
+    search.entered = search.entered || contact.enters;
+    search.going = search.going && !(contact.enters && contact.covered >= 1.0);
     return search;
 }
 
@@ -161,7 +151,7 @@ SolidSearch segment_search(SpinRay ray, SpinSegment segment, float tau, SolidSea
         } while (at.on && !at.span.enters && !at.span.grazes && search.left > 0);
         MarchContact contact = march_contact(at.way, at.span, SOLID_BLUR);
         if (at.span.enters || at.span.grazes)
-            search = solid_met(search, contact.place, tau + contact.at * segment.h, contact.covered, contact.enters);
+            search = solid_met(search, contact, tau + contact.at * segment.h);
         at.on = at.on && search.going;
     } while (at.on && search.left > 0);
     bool whole = at.s >= 1.0;

@@ -141,18 +141,9 @@ Search search_sure(Search search) {
 // What is on the span.
 Search search_contact(Search search, float blur) {
     MarchContact contact = march_contact(search.way, search.span, blur);
-    if (!search.entered && (contact.enters || contact.covered > search.hit.covered)) {
-        search.hit.phi = contact.at;
-        search.hit.place = contact.place;
-        search.hit.covered = contact.covered;
-    } else if (contact.enters) {   // behind an edge, or behind something thinner than a pixel
-        search.hit.covered += (1.0 - search.hit.covered) * contact.covered;
-    }
+    search.hit = hit_with_contact(search.hit, search.entered, contact.at, contact.place, contact.covered, contact.enters);
     search.entered = search.entered || contact.enters;
-    if (contact.enters && contact.covered >= 1.0) {   // not on to the sky: all of it is what is entered first
-        search.hit.covered = 1.0;
-        search.going = false;
-    }
+    search.going = search.going && !(contact.enters && contact.covered >= 1.0);
     return search;
 }
 
