@@ -54,7 +54,8 @@ struct SkyPacking {
 };
 
 // All of the sky once, each level in rows from the first: the mean of the level before it, in float, rounded once. `take` is called on this
-// thread alone. The painter's border is bordered_size's. Parallel: 0.35 s of processor time for the stars at 2048. Memory at 2048: 7 MB for each thread, 13 MB of half floats.
+// thread alone. The painter's border is bordered_size's. Parallel: 0.35 s of processor time for the stars at 2048. Memory at 2048: 7 MB for
+// each thread, 13 MB of half floats.
 void pack_sky(const SkyPainter& painter, const SkyPacking& packing, const std::function<void(const PackedRows&)>& take);
 
 }  // namespace nullscope
