@@ -7,8 +7,8 @@
     scripts/tidy.py --self-test planted faults are found in a group: in its first and its last file
 
 Files of one module are looked at in groups, as one translation unit that includes them: most of the time goes into the headers that
-they share (20.8 s one by one, 5.6 s together, six files of src/reference). A group in which names clash is looked at file by file. Of
-a group bugprone-suspicious-include is left out, for groups include .cpp files. Up to ALONE changed files are looked at one by one: then a
+they share (28 files of src/reference, processor seconds: 85 in groups of six, 48 of fourteen, 31 as one). A group in which names clash is
+halved until they do not. Of a group bugprone-suspicious-include is left out, for groups include .cpp files. Up to ALONE changed files are looked at one by one: then a
 file that does not include what it uses is found, too. Exit status: 0 nothing found, 1 something, 2 it could not be run.
 """
 import json
@@ -23,7 +23,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build/tidy"
-GROUP = 6
+GROUP = 28
 ALONE = 20
 CHECKS_OF_A_GROUP = "-bugprone-suspicious-include"
 FOUND = re.compile(r"^(/[^:]+):(\d+):(\d+): (warning|error): (.*)$")
@@ -85,8 +85,8 @@ def look(files, known, most):
         def group(files):
             said = tidy(folder, files, known)
             if said is None:
-                print(f"tidy: one by one, for names clash: {' '.join(file.name for file in files)}", file=sys.stderr)
-                said = [line for file in files for line in tidy(folder, [file], known)]
+                print(f"tidy: in two parts, for names clash: {' '.join(file.name for file in files)}", file=sys.stderr)
+                said = [line for part in (files[::2], files[1::2]) for line in group(part)]
             return said
         return sorted({line for lines in pool.map(group, groups_of(files, known, most)) for line in lines})
 

@@ -1,7 +1,7 @@
 // How much a test measures. Depth belongs to a test's file.
 //
 // The environment variable NULLSCOPE_TESTS says it:
-//   quick             what every change must pass: each promise on the cases that show its breach, of costly ones a quarter. scripts/test.sh
+//   quick             what every change must pass: each promise on the cases that show its breach, of costly ones an eighth. scripts/test.sh
 //   all               the same promises on every case. scripts/test.sh --all
 //   everything        every pixel of every frame, too: hours
 //   gpu/test_a.cpp,cli/test_b.py   these files as with all, the others quick. scripts/test.sh --turn (tests/turn.py)
@@ -46,19 +46,21 @@ T by_depth(T quick, T all, T everything, const char* file = __builtin_FILE()) {
     return asked == Depth::kQuick ? quick : asked == Depth::kAll ? all : everything;
 }
 
-// Costly cases take more than some 0.7 base seconds at quick depth. That depth runs one quarter of them, chosen by NULLSCOPE_RUN modulo 4;
-// continuous integration sets it to the turn, so that four turns run each. Without it all are run.
-inline constexpr int kCostlyParts = 4;
+// Costly cases take more than some 0.7 base seconds at quick depth. That depth runs one part of them, chosen by NULLSCOPE_RUN: an eighth,
+// and in a turn of continuous integration, where NULLSCOPE_TURN is set and both are one number, a quarter, so that four turns run each.
+// Without NULLSCOPE_RUN all are run.
+inline constexpr int kCostlyParts = 8, kCostlyPartsOfTurns = 4;
 
 // number: of the program's costly cases.
-inline bool is_of_another_run(int number, std::string_view run) {
-    return !run.empty() && number % kCostlyParts != std::atoll(std::string(run).c_str()) % kCostlyParts;
+inline bool is_of_another_run(int number, std::string_view run, int parts) {
+    return !run.empty() && number % parts != std::atoll(std::string(run).c_str()) % parts;
 }
 
 inline bool left_to_another_run(const char* file) {
     static int number = 0;
     const int own = number++;
-    return depth(file) == Depth::kQuick && is_of_another_run(own, environment_word("NULLSCOPE_RUN"));
+    const int parts = environment_word("NULLSCOPE_TURN").empty() ? kCostlyParts : kCostlyPartsOfTurns;
+    return depth(file) == Depth::kQuick && is_of_another_run(own, environment_word("NULLSCOPE_RUN"), parts);
 }
 
 // Which cases of a list a test measures: all; at quick depth every step-th, the first among them.
