@@ -13,6 +13,7 @@
 #include "plan/effects.h"
 #include "plan/medium_model.h"
 #include "scene/bodies.h"
+#include "scene/projection.h"
 #include "scene/projection_table.h"
 #include "shaderlib/embedded.h"
 #include "shaderlib/flat_frame.h"
