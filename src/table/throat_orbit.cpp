@@ -85,6 +85,22 @@ State through_tube(const Pull& pull, const State& s, double& h) {
     return next;
 }
 
+// So close to the critical ray that steps no longer say whether a ray passes the throat (sqrt(q^2 - 1) below some 1e-7): one that passes
+// does not turn before the tube but has come to its rim, and one that turns does not come to the other side of the throat.
+State on_its_side(const Pull& pull, const State& before, State next, double rim) {
+    const double from_middle = before.at - M_PI_2;
+    if (pull.tube_slope > 0.0) {
+        if (before.slope * from_middle < 0.0 && next.slope * from_middle > 0.0) {
+            next.at = M_PI_2 + std::copysign(M_PI_2 - rim, from_middle) - std::copysign(2.0 * kAtRim, from_middle);
+            next.slope = std::copysign(pull.tube_slope / pull.shape.length_slope(next.at), before.slope);
+        }
+    } else if (from_middle * (next.at - M_PI_2) < 0.0) {
+        next = before;
+        next.slope = -before.slope;
+    }
+    return next;
+}
+
 State advance(const Pull& pull, State s, double cell) {
     const double rim = pull.shape.angle(pull.shape.rim());
     for (double left = cell; left > 0.0;) {
@@ -100,7 +116,9 @@ State advance(const Pull& pull, State s, double cell) {
         const auto crosses = [&](double at) {
             return pull.shape.mu() > 0.0 && (s.at - at) * (next.at - at) < 0.0 && std::fabs(s.at - at) > 2.0 * kAtRim;
         };
-        s = crosses(rim) ? over_rim(pull, s, h, rim) : crosses(M_PI - rim) ? over_rim(pull, s, h, M_PI - rim) : next;
+        s = crosses(rim)          ? over_rim(pull, s, h, rim)
+            : crosses(M_PI - rim) ? over_rim(pull, s, h, M_PI - rim)
+                                  : on_its_side(pull, s, next, rim);
         left = h < left ? left - h : 0.0;
     }
     return s;
