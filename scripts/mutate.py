@@ -104,7 +104,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("handedness", "a left-handed frame", "src/render/frame_numbers.cpp",
      "cross(radial, meridian)", "cross(meridian, radial)", HARD),
     ("through", "light behind a translucent disc not dimmed", "shaders/stage/ray_light.glsl",
-     "sight.through -= over.a;\n        walk = disc_next", "walk = disc_next", GOLDEN),
+     "sight.through = max(sight.through - over.a, 0.0);   // a cover is 1 to rounding\n        walk = disc_next", "walk = disc_next", GOLDEN),
     ("display", "a missing square root in the display's curve", "shaders/effect/display.glsl",
      "vec3 s1 = sqrt(c);", "vec3 s1 = c;", GOLDEN),
     ("stale", "tables kept when the camera moves", "src/render/planar_path.cpp",

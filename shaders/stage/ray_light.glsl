@@ -113,7 +113,7 @@ RaySight with_layers(RaySight sight, Trace trace) {
         vec4 over = disc_colour(trace, crossing) * walk.covered;
         over = walk.more && crossing.hit ? over * sight.through : vec4(0.0);
         sight.light += layer_light(over.rgb, over.a, LAYER_DISC + min(disc_walk_order(walk, crossing), 2));
-        sight.through -= over.a;
+        sight.through = max(sight.through - over.a, 0.0);   // a cover is 1 to rounding
         walk = disc_next(trace, walk);
     } while (walk.more && sight.through > SIGHT_LEAST);
     return sight;

@@ -15,7 +15,7 @@ PictureLayers draw_layers(Renderer& renderer) {
     layers.all = renderer.layer(PictureLayer::kAll);
     const auto add = [&](const char* name, PictureLayer layer, const Image<float>& shares, int channel) {
         layers.each.push_back({name, renderer.layer(layer), channel_of(shares, channel)});
-        for (float& share : layers.each.back().share) share = std::max(share, 0.0f);  // of differences, rounded
+        for (float& share : layers.each.back().share) share = std::clamp(share, 0.0f, 1.0f);  // of differences, rounded
     };
     if (effects.contains(Effect::kDisc)) {
         const Image<float> shares = renderer.layer(PictureLayer::kDiscShares);

@@ -63,6 +63,10 @@ std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r
     return equator ? orbit_in(*equator) : std::nullopt;
 }
 
+bool has_circular_rate_numbers(const Spacetime& spacetime) {
+    return spacetime.axial() != nullptr || spacetime.spherical()->lapse_roots().has_value() || !spacetime.bends_light();
+}
+
 std::array<double, 2> circular_rate_numbers(const Spacetime& spacetime) {
     if (const AxialMetric* axial = spacetime.axial()) return {0.5, axial->charge2()};
     const LapseRoots roots = spacetime.spherical()->lapse_roots().value_or(LapseRoots{0, 0});

@@ -25,7 +25,9 @@ struct CircularOrbit {
 std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r);
 
 // Of A = (1 - x zeta)(1 - y zeta), by which matter goes round with w^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta) and
-// Omega = w/(1 + a w); about a rotating hole A = 1 - zeta + charge2 zeta^2 takes its place. In flat space matter rests.
+// Omega = w/(1 + a w); about a rotating hole A = 1 - zeta + charge2 zeta^2 takes its place. In flat space matter rests. Other metrics
+// have no such numbers: (0, 0).
+bool has_circular_rate_numbers(const Spacetime& spacetime);
 std::array<double, 2> circular_rate_numbers(const Spacetime& spacetime);
 
 // Towards growing phi, or against it; the same without rotation.

@@ -26,6 +26,31 @@ class Layers(support.CliTest):
             for x, number in enumerate(row):
                 self.assertTrue(5 < depth[y][x] < 40 if number else depth[y][x] == 0, (x, y, depth[y][x]))
 
+    def test_light_and_shares_keep_their_bounds(self):
+        """A disc's cover that is 1 to rounding left -1e-7 of the stars behind it."""
+        self.write("stars.toml", """[camera]
+r = 11.336443604688101
+theta = 61.20945557683343
+phi = -6.43954511985649
+projection = "cylindrical"
+fov = 160.0
+[sky]
+kind = "points"
+uniform_stars = 300
+magnitude_limit = 0.0
+[disc]
+inner = 3.2
+outer = 7.0
+[picture]
+refine = "off"
+""")
+        got = self.channels("stars.toml", "--size", "64x36", "--layers", "-o", "s.exr")
+        for name, rows in got.items():
+            if name[-2:] in (".R", ".G", ".B", ".A"):
+                self.assertGreaterEqual(min(map(min, rows)), 0, name)
+            if name.endswith(".A"):
+                self.assertLessEqual(max(map(max, rows)), 1, name)
+
     @support.costly
     def test_matter_has_a_layer_and_a_depth(self):
         got = self.channels("soft-disc", "--size", support.SMALL, "--layers", "-o", "m.exr")

@@ -22,7 +22,9 @@ constexpr double kDegree = M_PI / 180;
 constexpr double kFarLine =
     1e6;  // r_s: where the reference's observer is; what it sees differs from infinity's by some 1/kFarLine
 
-std::shared_ptr<const Spacetime> kerr(double spin) { return *make_spacetime("kerr", MetricParameters{{"spin", spin}}); }
+std::shared_ptr<const Spacetime> spinning(double spin) {
+    return *make_spacetime("kerr", MetricParameters{{"spin", spin}});
+}
 DistantLight light_of(const std::shared_ptr<const Spacetime>& spacetime, double inclination_deg) {
     return *DistantLight::make(spacetime, inclination_deg * kDegree);
 }
@@ -83,12 +85,12 @@ TEST_CASE("line profile: extremes of g of rings") {
     for (const Known& known : {Known{0.9, 2.320883041761887, 60, 0.20257396, 1.00124795},
                                Known{0.9, 6, 30, 0.60441306, 0.95583071}, Known{0, 6, 60, 0.49707695, 1.22449057}}) {
         CAPTURE(known.r);
-        const DistantLight light = light_of(kerr(known.spin), known.inclination_deg);
+        const DistantLight light = light_of(spinning(known.spin), known.inclination_deg);
         const LineProfile ring = line_profile(light, power_law(known.r / 2, known.r / 2), {}, LineCells(1));
         CHECK(std::fabs(ring.least_g - known.least) < kDigits);
         CHECK(std::fabs(ring.most_g - known.most) < kDigits);
     }
-    const LineProfile above = line_profile(light_of(kerr(0), 0), power_law(4, 4), {}, LineCells(0));
+    const LineProfile above = line_profile(light_of(spinning(0), 0), power_law(4, 4), {}, LineCells(0));
     CHECK(std::fabs(above.least_g - std::sqrt(1 - 1.5 / 4)) < 1e-14);
     CHECK(std::fabs(above.most_g - above.least_g) < 1e-14);
 }
@@ -196,7 +198,7 @@ TEST_CASE("line profile: a ring far out has the two horns of Kepler's law") {
     const double r = 5e9, speed = std::sqrt(0.5 / r), inclination_deg = 60, across = speed * std::sin(60 * kDegree);
     // Of the next order the ends are off by some v/c of the width, where the profile is one over a root.
     const double next_order = 5 * std::sqrt(speed);
-    const DistantLight light = light_of(kerr(0), inclination_deg);
+    const DistantLight light = light_of(spinning(0), inclination_deg);
     DiscLine line = power_law(r, r);
     const LineProfile ring = line_profile(light, line, {40, 1 - across, 1 + across}, LineCells(1));
     const double most = *std::ranges::max_element(ring.photons) / ring.all_photons;
@@ -224,7 +226,7 @@ TEST_CASE("line profile: twice the resolution changes no bin by 0.5 % of the lar
          {Case{0.998, 30, 0}, Case{0, 60, 0}, Case{0.9, 20, 0}, Case{0.9, 60, 0.75}, Case{0.5, 85, 0}}) {
         CAPTURE(of.spin);
         CAPTURE(of.inclination_deg);
-        const auto spacetime = kerr(of.spin);
+        const auto spacetime = spinning(of.spin);
         const DistantLight light = light_of(spacetime, of.inclination_deg);
         const DiscLine line = power_law(of.inner > 0 ? of.inner : *innermost_stable_orbit(*spacetime), 200);
         const ConvergedProfile found = converged_profile(light, line, {});
