@@ -8,6 +8,7 @@
 
 #include "base/progress.h"
 #include "bench/accuracy_rows.h"
+#include "bench/spread_json.h"
 #include "command/json.h"
 #include "scenefile/scene_file.h"
 #include "shaderlib/frontier.h"
@@ -24,8 +25,6 @@ struct Options : BenchOptions {
 
 using Row = AccuracyRow;
 
-Json json_of(const Spread& s) { return {{"max", s.max}, {"p999", s.p999}, {"median", s.median}}; }
-
 Json json_of(const Row& row, const Bench& bench, const std::string& metric) {
     const bool table = row.method.kind == MethodKind::kTable;
     Json o{{"method", row.name},
@@ -37,14 +36,14 @@ Json json_of(const Row& row, const Bench& bench, const std::string& metric) {
            {"core_seconds", row.core_s()},
            {"median_ms", median(row.cost.wall_ms)},
            {"floor_ratio", row.floor_ratio()},
-           {"screen_error_px", json_of(row.screen_px)},
-           {"forward_error_rad", json_of(row.forward_rad)},
-           {"disc_error_px", json_of(row.disc_px)},
+           {"screen_error_px", spread_json(row.screen_px)},
+           {"forward_error_rad", spread_json(row.forward_rad)},
+           {"disc_error_px", spread_json(row.disc_px)},
            {"fate_errors", row.fate_errors},
            {"on_frontier", row.on_frontier}};
     if (counts_steps(row.method)) {
         o["mean_steps"] = row.mean_steps(), o["most_steps"] = row.most_steps;
-        o["near_error_px"] = json_of(row.near_px), o["near_fate_errors"] = row.near_fate_errors;
+        o["near_error_px"] = spread_json(row.near_px), o["near_fate_errors"] = row.near_fate_errors;
     }
     if (!row.whole.core_s.empty()) o["whole_frame_core_seconds"] = median(row.whole.core_s);
     o["is_default"] = row.is_default();

@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "bench/bench.h"
+#include "bench/spread_json.h"
 #include "command/json.h"
 #include "command/ray_trace.h"
 #include "compare/ray_errors.h"
@@ -96,8 +97,6 @@ Errors errors_of(const std::vector<std::optional<RayRecord>>& records, const std
 std::string words_of(const Spread& s) {
     return s.count == 0 ? "" : fmt::format("{:.1e}, {:.1e}, {:.1e}", s.max, s.p999, s.median);
 }
-Json json_of(const Spread& s) { return {{"max", s.max}, {"p999", s.p999}, {"median", s.median}}; }
-
 Status measure(const Scene& scene, const RaysBench& options, Json& rows) {
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     CameraSpec camera = scene.camera;
@@ -140,10 +139,10 @@ Status measure(const Scene& scene, const RaysBench& options, Json& rows) {
                         {"begin_core_seconds", begin_s},
                         {"judged", e.counted},
                         {"fate_errors", e.fates},
-                        {"sky_rad", json_of(e.sky)},
-                        {"r", json_of(e.r)},
-                        {"phi_rad", json_of(e.phi)},
-                        {"g", json_of(e.g)}});
+                        {"sky_rad", spread_json(e.sky)},
+                        {"r", spread_json(e.r)},
+                        {"phi_rad", spread_json(e.phi)},
+                        {"g", spread_json(e.g)}});
     }
     return Done{};
 }

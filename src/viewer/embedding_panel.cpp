@@ -16,12 +16,12 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr double kFarthestShown = 16.0, kWideEmbedding = 1.25,
-                 kAbout = 2.5;       // r_s shown at most; of the camera's radius; of the outermost circle's
-constexpr double kElevation = 0.45;  // rad, of the eye above the plane
+                 kAboutCircles = 2.5;  // r_s shown at most; of the camera's radius; of the outermost circle's
+constexpr double kElevation = 0.45;    // rad, of the eye above the plane
 constexpr float kEmbeddingWidth = 17.0f, kLeastEmbeddingWidth = 9.0f;  // em
 constexpr int kRings = 10, kMeridians = 24, kRingPoints = 72;
-constexpr ImU32 kEmbeddingGround = IM_COL32(6, 8, 14, 255), kGrid = IM_COL32(150, 165, 190, 80),
-                kRay = IM_COL32(120, 200, 255, 255);
+constexpr ImU32 kEmbeddingGround = IM_COL32(6, 8, 14, 255), kEmbeddingGrid = IM_COL32(150, 165, 190, 80),
+                kEmbeddingRay = IM_COL32(120, 200, 255, 255);
 
 class Diagram {
 public:
@@ -54,11 +54,11 @@ public:
             std::vector<ImVec2> line;
             for (const EmbeddedCircle& circle : surface_)
                 line.push_back(at(circle.areal * std::cos(phi), circle.areal * std::sin(phi), circle.z));
-            draw_.AddPolyline(line.data(), static_cast<int>(line.size()), kGrid, ImDrawFlags_None, 1.0f);
+            draw_.AddPolyline(line.data(), static_cast<int>(line.size()), kEmbeddingGrid, ImDrawFlags_None, 1.0f);
         }
         for (std::size_t i = 0; i <= kRings; ++i) {
             const EmbeddedCircle& circle = surface_[i * (surface_.size() - 1) / kRings];
-            ring(circle.areal, circle.z, kGrid, 1.0f);
+            ring(circle.areal, circle.z, kEmbeddingGrid, 1.0f);
         }
     }
     void ring(double areal, double z, ImU32 colour, float width) const {
@@ -73,7 +73,7 @@ public:
         std::vector<ImVec2> line;
         for (const PathPoint& point : facts.path)
             if (const auto z = height_at(surface_, point.r)) line.push_back(at(point.x, point.y, *z));
-        draw_.AddPolyline(line.data(), static_cast<int>(line.size()), kRay, ImDrawFlags_None, 1.8f);
+        draw_.AddPolyline(line.data(), static_cast<int>(line.size()), kEmbeddingRay, ImDrawFlags_None, 1.8f);
     }
     void camera(double r, const Spacetime& spacetime) const {
         // Beyond the rim it is on the rim; inside the innermost circle of a surface with one side it is nowhere.
@@ -107,7 +107,7 @@ void draw_embedding(OverlayPlace& place) {
     const auto circles = landmark_circles(*spacetime);
     const double camera = std::fabs(scene.camera.r);
     double high = std::min(kFarthestShown, kWideEmbedding * camera);
-    if (!circles.empty()) high = std::max(high, kAbout * circles.back().r);
+    if (!circles.empty()) high = std::max(high, kAboutCircles * circles.back().r);
     const auto surface = embedding(*spacetime->spherical(), high);
     if (surface.size() < 2) return;
     float top = place.bottom;

@@ -20,9 +20,10 @@ ALIAS = re.compile(r"namespace \w+ =|using namespace|using \w+::")   # the same 
 
 
 def own_names(text):
-    """{name: its parameters, or nothing for what has none} of a file."""
-    names, inside = {}, False
-    for line in text.split("\n"):
+    """(name, its parameters, or nothing for what has none) of a file."""
+    names, inside = set(), False
+    joined = re.sub(r"^const[^;{]*;", lambda constants: re.sub(r"\n +", " ", constants[0]), text, flags=re.MULTILINE)   # several lines of them
+    for line in joined.split("\n"):
         if line == "namespace {":
             inside = True
         elif line.startswith("}  // namespace") and line.strip() == "}  // namespace":
@@ -32,8 +33,8 @@ def own_names(text):
             if found:
                 rest = found[2] if found.re is VALUE else ""
                 if line.startswith("const"):   # several in a line
-                    names.update(dict.fromkeys(re.findall(r", (\w+) = ", line), ""))
-                names[found[1]] = re.sub(r"\s*\w+\s*([,)])", r"\1", rest.split("{")[0]) if rest.startswith("(") else ""
+                    names.update((name, "") for name in re.findall(r", (\w+) = ", line))
+                names.add((found[1], re.sub(r"\s*\w+\s*([,)])", r"\1", rest.split("{")[0]).strip() if rest.startswith("(") else ""))
     return names
 
 
@@ -46,7 +47,7 @@ def header_names(text):
 def clashes(folder):
     owners = defaultdict(list)
     for file in sorted(file for file in folder.glob("*.cpp") if file.name not in ALONE):
-        for name, parameters in own_names(file.read_text(encoding="utf-8")).items():
+        for name, parameters in own_names(file.read_text(encoding="utf-8")):
             owners[name, parameters].append(file.name)
     for header in sorted(folder.glob("*.h")):
         for name in header_names(header.read_text(encoding="utf-8")):
@@ -58,8 +59,8 @@ def clashes(folder):
 def self_test():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "a.cpp").write_text("namespace {\nconstexpr int kA = 1, kC = 2;\nstruct Row {\n};\nint of(int a) { return a; }\ndouble f(double x) {\n}\n}  // namespace\nint g() {}\n")
-        (folder / "b.cpp").write_text("namespace {\nconstexpr int kB = kA, kC = 3;\nstruct Row;\nint of(int b) {\n}\ndouble f(float x) {\n}\nvoid g() {}\n}  // namespace\n")
+        (folder / "a.cpp").write_text("namespace {\nconstexpr int kA = 1, kC = 2;\nstruct Row {\n};\nint of(int a) { return a; }\nint of(char a) { return a; }\ndouble f(double x) {\n}\n}  // namespace\nint g() {}\n")
+        (folder / "b.cpp").write_text("namespace {\nconstexpr int kB = kA,\n              kD = 4,\n              kC = 3;\nstruct Row;\nint of(int b) {\n}\ndouble f(float x) {\n}\nvoid g() {}\n}  // namespace\n")
         (folder / "c.h").write_text("struct Wide;\ninline constexpr double kFar = 3;\n")
         (folder / "c.cpp").write_text("namespace {\nconstexpr double kFar = 2;\nstruct Wide {\n};\n}  // namespace\n")
         found = [line.split()[1] for line in clashes(folder)]
