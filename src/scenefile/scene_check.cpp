@@ -286,9 +286,6 @@ Faults check_motion(const Scene& scene, const World& world, const std::string& m
     if (delay && !world->knows_light_time())
         faults.push_back({moving.front(), fmt::format("light-travel time is not available in metric \"{}\"", metric),
                           "light.delay = \"off\", or another metric"});
-    if (scene.disc && scene.disc->flow == DiscFlowKind::kKepler && !has_circular_rate_numbers(*world))
-        faults.push_back({"disc.flow", fmt::format("the flow of rings is not available in metric \"{}\"", metric),
-                          "still, or another metric"});
     for (std::size_t i = 0; i < scene.spots.size() && scene.disc; ++i)
         if (!circular_orbit(*world, scene.spots[i].r))
             faults.push_back({section_label("spot", i) + ".r", fmt::format("no circular orbit at {}", scene.spots[i].r),

@@ -307,8 +307,7 @@ constexpr SceneKey kKeys[] = {
      [](auto& s) { return &s.disc->brightness; }},
 
     {"disc", "flow", KeyType::kChoice, "", "still", kNoRange, "still kepler",
-     "How image or texture moves: not at all, or each ring at the orbital speed of the matter, "
-     "which needs another metric than formula.",
+     "How image or texture moves: not at all, or each ring at the orbital speed of the matter.",
      [](auto& s) { return &s.disc->flow; }},
     {"disc", "flow_life", KeyType::kNumber, "r_s/c", "40", kPositive, "",
      "Time for which a copy of the pattern is sheared before it has faded into the next; needs flow = \"kepler\", not "

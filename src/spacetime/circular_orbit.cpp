@@ -63,8 +63,10 @@ std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r
     return equator ? orbit_in(*equator) : std::nullopt;
 }
 
-bool has_circular_rate_numbers(const Spacetime& spacetime) {
-    return spacetime.axial() != nullptr || spacetime.spherical()->lapse_roots().has_value() || !spacetime.bends_light();
+double circular_rate_scaled(const Spacetime& spacetime, double r) {
+    if (const AxialMetric* axial = spacetime.axial()) return 0.5 - axial->charge2() / r;
+    const auto e = spacetime.equator(r);
+    return e ? -e->slope.tt / e->slope.phiphi * r * r * r : 0.0;
 }
 
 std::array<double, 2> circular_rate_numbers(const Spacetime& spacetime) {

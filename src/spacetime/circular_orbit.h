@@ -27,8 +27,9 @@ std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r
 // Of A = (1 - x zeta)(1 - y zeta), by which matter goes round with w^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta) and
 // Omega = w/(1 + a w); about a rotating hole A = 1 - zeta + charge2 zeta^2 takes its place. In flat space matter rests. Other metrics
 // have no such numbers: (0, 0).
-bool has_circular_rate_numbers(const Spacetime& spacetime);
 std::array<double, 2> circular_rate_numbers(const Spacetime& spacetime);
+// w^2 r^3 of any metric that has an equator, 0 of others; negative where no matter can go round, being pulled outward.
+double circular_rate_scaled(const Spacetime& spacetime, double r);
 
 // Towards growing phi, or against it; the same without rotation.
 enum class Sense { kPrograde, kRetrograde };

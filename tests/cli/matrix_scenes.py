@@ -196,7 +196,6 @@ REFUSED = [
     ({"metric": set(WORMHOLES), "thing": things("sphere")}, "about the throat"),
     ({"metric": set(WORMHOLES), "thing": {"ball-orbit", "ball-geodesic", "ball-path"}}, "is not available in|motion is not supported in a wormhole"),
     ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MOVING, "switch": set(SWITCHES) - {"delay"}}, "is not available in"),
-    ({"metric": set(FORMULAS), "thing": {"disc-flow", "disc-gas-flow"}}, "is not available in"),
     ({"metric": {"kerr"}, "thing": {"matter-grid"}, "extra": {"split-metric", "split-delay"}}, "its matter is about a hole"),
     ({"metric": ROTATING, "thing": {"ball-geodesic"}}, "free fall of balls is not supported"),
     ({"metric": ROTATING, "switch": PARTS}, "off, which is not supported about a rotating hole"),

@@ -28,7 +28,8 @@ BASE = {"metric": "schwarzschild", "thing": "none", "switch": "on", "camera": "s
 # In every run: kinds that went together wrongly once, or that scripts/mutate.py plants.
 KNOWN = [{**BASE, **row} for row in [
     {"thing": "ball-orbit", "switch": "delay", "projection": "fisheye"}, {"thing": "disc-thermal", "switch": "beaming", "metric": "kerr"},
-    {"thing": "spot", "sky": "plain", "projection": "fisheye"}, {"extra": "zoom", "sky": "points"}, {"thing": "gas", "sky": "formula"}, {"thing": "surface"}]]
+    {"thing": "spot", "sky": "plain", "projection": "fisheye"}, {"extra": "zoom", "sky": "points"}, {"thing": "gas", "sky": "formula"}, {"thing": "surface"},
+    {"thing": "disc-flow", "switch": "delay", "metric": "hayward"}]]
 
 
 def any_row(random, row):

@@ -55,7 +55,7 @@ WORDS = {
     "star": [r"star_(?:surface|square)\w*"],
     "delay": [r"light_time", r"delay_\w+"],
     "light-times": [r"vec4 delay"],
-    "disc-flow": [r"disc_(?:flow|turned|winding|orbit)"],
+    "disc-flow": [r"disc_(?:flow|turned|winding|orbit|rate|terms)"],
     "spot": [r"spot_\w+"],
     "ball-path": [r"ball_path\w*", r"moving_ball\w*"],
     "pulse": [r"pulse\w*"],

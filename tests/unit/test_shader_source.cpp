@@ -136,7 +136,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kSides, {"value_by_side", "vec4 throat;", "place.side"}},
     {Effect::kDelay, {"light_time("}},
     {Effect::kLightTimes, {"vec4 delay;"}},
-    {Effect::kDiscFlow, {"disc_orbit(", "vec4 disc_winding;", "vec4 disc_copy;"}},
+    {Effect::kDiscFlow, {"disc_orbit(", "vec4 disc_winding;", "vec4 disc_copy;", "vec4 disc_rate_0;"}},
     {Effect::kSpot, {"spot_light(", "spot_orbit_light("}},
     {Effect::kBallPath, {"ball_path_fetch", "moving_ball_middle"}},
     {Effect::kPulse, {"pulse_room"}},
@@ -284,7 +284,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 76);
+    CHECK(members.size() == 80);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {
