@@ -7,9 +7,10 @@
     scripts/tidy.py --self-test planted faults are found in a group: in its first and its last file
 
 Files of one module are looked at in groups, as one translation unit that includes them: most of the time goes into the headers that
-they share (28 files of src/reference, processor seconds: 85 in groups of six, 48 of fourteen, 31 as one). A group in which names clash is
-halved until they do not. Of a group bugprone-suspicious-include is left out, for groups include .cpp files. Up to ALONE changed files are looked at one by one: then a
-file that does not include what it uses is found, too. Exit status: 0 nothing found, 1 something, 2 it could not be run.
+they share (28 files of src/reference, processor seconds: 85 in groups of six, 48 of fourteen, 31 as one). A group in which names clash
+is halved until they do not. Of a group bugprone-suspicious-include is left out, for groups include .cpp files. Up to ALONE changed files
+are looked at one by one: then a file that does not include what it uses is found, too. Exit status: 0 nothing found, 1 something, 2 it
+could not be run.
 """
 import json
 import os

@@ -2,22 +2,32 @@
 #include "path/trace"
 #include "shared/frame.glsl"
 
+#ifdef EFFECT_RING_RATES
 // A polynomial and its slope, by Horner's rule: four more terms, the highest in w.
-vec2 disc_terms(vec2 sum, float x, vec4 terms) {
+vec2 disc_rate_terms(vec2 sum, float x, vec4 terms) {
     sum = vec2(sum.x * x + terms.w, sum.y * x + sum.x);
     sum = vec2(sum.x * x + terms.z, sum.y * x + sum.x);
     sum = vec2(sum.x * x + terms.y, sum.y * x + sum.x);
     return vec2(sum.x * x + terms.x, sum.y * x + sum.x);
 }
 
-// Omega of circular orbits and its slope by zeta = 1/r. Omega = w/(1 + a w): about a rotating hole with its rotation. w^2 = zeta^3 P, P
-// a polynomial in x, which grows with ln r from -1 at the disc's inner edge to 1 at its outer one (table/disc_rate.h).
-vec2 disc_orbit(float zeta) {
+// P and zeta dP/dzeta: a polynomial in x, which grows with ln r from -1 at the disc's inner edge to 1 at its outer one (table/disc_rate.h).
+vec2 disc_rate(float zeta) {
     float x = clamp(-(log(zeta) + frame.disc_rate_span.x) * frame.disc_rate_span.y, -1.0, 1.0);
-    vec2 p = disc_terms(vec2(0.0), x, frame.disc_rate_2);
-    p = disc_terms(disc_terms(p, x, frame.disc_rate_1), x, frame.disc_rate_0);
+    vec2 sum = disc_rate_terms(vec2(0.0), x, frame.disc_rate_2);
+    sum = disc_rate_terms(disc_rate_terms(sum, x, frame.disc_rate_1), x, frame.disc_rate_0);
+    return vec2(sum.x, -frame.disc_rate_span.y * sum.y);
+}
+#else
+// P = z - w zeta of disc_winding, and zeta dP/dzeta.
+vec2 disc_rate(float zeta) { return vec2(frame.disc_winding.z, 0.0) - frame.disc_winding.w * zeta; }
+#endif
+
+// Omega of circular orbits and its slope by zeta = 1/r. Omega = w/(1 + a w), w^2 = zeta^3 P: about a rotating hole with its rotation.
+vec2 disc_orbit(float zeta) {
+    vec2 p = disc_rate(zeta);
     float w = sqrt(max(zeta * zeta * zeta * p.x, 0.0));
-    float w_slope = 0.5 * zeta * zeta * (3.0 * p.x - frame.disc_rate_span.y * p.y) / max(w, 1.0e-20);
+    float w_slope = 0.5 * zeta * zeta * (3.0 * p.x + p.y) / max(w, 1.0e-20);
     float dragged = 1.0 / (1.0 + path_spin() * w);
     return vec2(w, w_slope * dragged) * dragged;
 }

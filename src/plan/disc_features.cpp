@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "plan/feature.h"
+#include "spacetime/circular_orbit.h"
 
 namespace nullscope {
 namespace {
@@ -22,6 +23,23 @@ std::vector<SceneKey> gas_keys() {
             {"disc", "gas_winding", KeyType::kNumber, "rad", "4", closed(0.0, 30.0), "",
              "Azimuth by which filaments of gas trail for each factor of e in radius. Needs texture = \"gas\".",
              [](auto& s) { return &s.disc->gas.winding; }, is_gas, kGas}};
+}
+
+Feature ring_rates() {
+    return {{Effect::kRingRates, "ring-rates", "EFFECT_RING_RATES",
+             "Orbital speeds of a disc's rings that no closed form of the shader has.",
+             "disc.flow is \"kepler\" and spacetime.metric is \"formula\"", "a logarithm and twelve terms a ring"},
+            [](const FrameFacts& f) {
+                const bool flows = f.spacetime != nullptr && f.so_far.contains(Effect::kDiscFlow);
+                return reason_if(flows && !has_circular_rate_numbers(*f.spacetime),
+                                 fmt::format("spacetime.metric = \"{}\"", f.scene.spacetime.metric));
+            },
+            nullptr,
+            moving_disc,
+            [](Scene& s) {
+                s.spacetime = {"formula", {}};
+                s.spacetime.parameters.formulas["A"] = "1 - 1/r";
+            }};
 }
 
 }  // namespace
@@ -100,6 +118,7 @@ std::span<const Feature> disc_features() {
          },
          still_disc,
          [](Scene& s) { s.disc->flow = DiscFlowKind::kKepler; }},
+        ring_rates(),
         {{Effect::kSpot,
           "spot",
           "EFFECT_SPOT",

@@ -55,6 +55,7 @@ enum class Effect {
     kDelay,
     kLightTimes,
     kDiscFlow,
+    kRingRates,
     kSpot,
     kBallPath,
     kPulse,

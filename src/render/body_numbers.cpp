@@ -170,16 +170,18 @@ void put_patterns(FrameData& frame, const Scene& scene) {
 void put_moving(FrameData& frame, const FramePlan& plan) {
     const auto& disc = plan.scene.disc;
     if (!disc || disc->flow != DiscFlowKind::kKepler) return;
-    const DiscRate rate = disc_rate(*plan.matter, disc->inner, disc->outer);
-    const auto& t = rate.terms;
+    const auto [first, second] = circular_rate_numbers(*plan.matter);
     const double lives = late_time(plan) / disc->flow_life;
     const double copy = std::floor(lives);
-    frame.disc_winding = {lives - copy, 1.0 / disc->flow_life, 0, 0};
+    frame.disc_winding = {lives - copy, 1.0 / disc->flow_life, first, second};
+    frame.disc_copy = {copy - kCopies * std::floor(copy / kCopies), 0, 0, 0};
+    if (!plan.effects.contains(Effect::kRingRates)) return;
+    const DiscRate rate = disc_rate(*plan.matter, disc->inner, disc->outer);
+    const auto& t = rate.terms;
     frame.disc_rate_span = {rate.middle, rate.per_half, 0, 0};
     frame.disc_rate_0 = {t[0], t[1], t[2], t[3]};
     frame.disc_rate_1 = {t[4], t[5], t[6], t[7]};
     frame.disc_rate_2 = {t[8], t[9], t[10], t[11]};
-    frame.disc_copy = {copy - kCopies * std::floor(copy / kCopies), 0, 0, 0};
 }
 
 }  // namespace nullscope

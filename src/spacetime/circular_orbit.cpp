@@ -63,16 +63,19 @@ std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r
     return equator ? orbit_in(*equator) : std::nullopt;
 }
 
-double circular_rate_scaled(const Spacetime& spacetime, double r) {
-    if (const AxialMetric* axial = spacetime.axial()) return 0.5 - axial->charge2() / r;
-    const auto e = spacetime.equator(r);
-    return e ? -e->slope.tt / e->slope.phiphi * r * r * r : 0.0;
+bool has_circular_rate_numbers(const Spacetime& spacetime) {
+    return spacetime.axial() != nullptr || !spacetime.bends_light() || spacetime.spherical()->lapse_roots().has_value();
 }
 
 std::array<double, 2> circular_rate_numbers(const Spacetime& spacetime) {
     if (const AxialMetric* axial = spacetime.axial()) return {0.5, axial->charge2()};
     const LapseRoots roots = spacetime.spherical()->lapse_roots().value_or(LapseRoots{0, 0});
     return {0.5 * (roots.outer + roots.inner), roots.outer * roots.inner};
+}
+
+double circular_rate_scaled(const Spacetime& spacetime, double r) {
+    const auto e = spacetime.equator(r);
+    return e ? -e->slope.tt / e->slope.phiphi * r * r * r : 0.0;
 }
 
 double light_orbit(const Spacetime& spacetime, Sense sense) {

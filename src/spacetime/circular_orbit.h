@@ -28,7 +28,8 @@ std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r
 // Omega = w/(1 + a w); about a rotating hole A = 1 - zeta + charge2 zeta^2 takes its place. In flat space matter rests. Other metrics
 // have no such numbers: (0, 0).
 std::array<double, 2> circular_rate_numbers(const Spacetime& spacetime);
-// w^2 r^3 of any metric that has an equator, 0 of others; negative where no matter can go round, being pulled outward.
+bool has_circular_rate_numbers(const Spacetime& spacetime);
+// Omega^2 r^3 of a metric without rotation, 0 where it has no equator; negative where no matter can go round, being pulled outward.
 double circular_rate_scaled(const Spacetime& spacetime, double r);
 
 // Towards growing phi, or against it; the same without rotation.

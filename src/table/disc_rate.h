@@ -1,4 +1,5 @@
-// How fast matter on circular orbits goes round, by radius, for the shader: Omega = w/(1 + a w) about a hole of spin a, w^2 = P/r^3.
+// How fast matter on circular orbits goes round, by radius, for the shader: Omega^2 = P/r^3 of metrics without rotation. Those that have
+// circular_rate_numbers() do without it.
 #pragma once
 #include <array>
 
@@ -7,7 +8,7 @@
 namespace nullscope {
 
 // P as a polynomial in x = (ln r - middle) per_half, in [-1, 1] between two radii: through twelve Chebyshev nodes. Error, over the largest P:
-// none for holes without charge, 1e-8 for those with, 3e-5 for a regular core, all of them out to 1,000 times the inner radius (7e-7 out
+// none for a mass alone, 1e-8 with charge, 3e-5 for a regular core, all of them out to 1,000 times the inner radius (7e-7 out
 // to thirty times); 2e-7 with a cosmological constant, out to ten times (tests/unit/test_disc_rate.cpp).
 struct DiscRate {
     double middle, per_half;

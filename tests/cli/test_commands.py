@@ -171,7 +171,7 @@ class Commands(support.CliTest):
         self.assertEqual([effect for effect in left_out[:-len(media)] if effect not in projections],
                          ["spin", "spin-fall", "disc-pattern", "thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
                           "body-image", "point-stars", "sky", "sky-shift", "sky-pattern", "inner", "bounce", "far-sky", "star",
-                          "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither", "sides", "delay", "light-times", "disc-flow", "spot", "ball-path", "pulse", "inner-horizon",
+                          "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither", "sides", "delay", "light-times", "disc-flow", "ring-rates", "spot", "ball-path", "pulse", "inner-horizon",
                           "limb-darkening", "samples", "disc-gas", "zoom", "spin-ring", "spin-near", "warp"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))
         tables = {t["name"] for t in found["tables"]}

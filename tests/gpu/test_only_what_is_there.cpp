@@ -124,6 +124,10 @@ std::vector<Scene> full_scenes() {
         scenes.emplace_back().camera = scenes.front().camera;
         projection_at(scenes.size() - 1, static_cast<Projection>(i));
     }
+    Scene& rings = scenes.emplace_back();
+    rings.spacetime.metric = "formula", rings.spacetime.parameters.formulas["A"] = "1 - 1/r";
+    rings.sky.kind = SkyKind::kBlack, rings.light.delay = false;
+    rings.disc.emplace().flow = DiscFlowKind::kKepler;
     for (const MediumModel* model : medium_models()) {
         Scene& scene = scenes.emplace_back();
         scene.camera = scenes.front().camera;

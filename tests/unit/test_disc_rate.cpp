@@ -30,21 +30,19 @@ TEST_CASE("disc rate: the polynomial is that of circular orbits, whatever the me
     const std::string core = "1 - r^2/(r^3 + 0.3^2)", kottler = "1 - 1/r - 0.0002*r^2/3";
     const RateCase cases[] = {{"schwarzschild", {}, 1000, 1e-14},
                               {"reissner-nordstrom", {{{"charge", 0.4}}}, 1000, 1e-8},
-                              {"kerr", {{{"spin", 0.9}}}, 1000, 1e-14},
-                              {"kerr-newman", {{{"spin", 0.5}, {"charge", 0.3}}}, 1000, 1e-8},
                               {"minkowski", {}, 1000, 1e-14},
                               {"formula", with_lapse(core), 1000, 3e-5},
                               {"formula", with_lapse(kottler), 10, 2e-7}};
     for (const RateCase& c : cases)
         for (const double wide : {1.5, std::sqrt(c.widest), c.widest}) {
             const auto spacetime = *make_spacetime(c.metric, c.parameters);
-            const double inner = 1.6, spin = c.metric.starts_with("kerr") ? c.parameters.at("spin") / 2 : 0.0;
+            const double inner = 1.6;
             const DiscRate rate = disc_rate(*spacetime, inner, wide * inner);
             double worst = 0, largest = 0;
             for (double r = inner; r <= wide * inner; r *= 1.013) {
                 const auto orbit = circular_orbit(*spacetime, r);
                 if (!orbit) continue;
-                const double w = orbit->omega / (1 - spin * orbit->omega), exact = w * w * r * r * r;
+                const double exact = orbit->omega * orbit->omega * r * r * r;
                 worst = std::max(worst, std::fabs(rate(r) - exact)), largest = std::max(largest, exact);
             }
             fmt::print("{} out to {:.4g} times the inner radius: {:.1e} of {:.3g}\n", c.metric, wide, worst, largest);
