@@ -103,6 +103,8 @@ MUTANTS = [Mutant(*row) for row in [
     ("spin-azimuth", "Kerr-Schild azimuth where Boyer-Lindquist is meant", "src/reference/kerr_trace.h",
      "turned(from, s, length) - chart_.ahead(r))", "turned(from, s, length) - std::atan2(chart_.a, r))",
      ("unit_tests", "kerr bodies*")),
+    ("thin-reach", "the limit of many windings far from the critical direction, too", "shaders/planar/disc_thin.glsl",
+     "#define DISC_THIN_OFF 0.2", "#define DISC_THIN_OFF 1.0e9", ("gpu_tests", "thin rings*")),
     ("thin-rings", "thin rings met by the pixel's middle only", "shaders/planar/disc_thin.glsl",
      "ring.thin = phi > frame.critical.w", "ring.thin = phi < 0.0", ("gpu_tests", "thin rings*")),
     ("handedness", "a left-handed frame", "src/render/frame_numbers.cpp",

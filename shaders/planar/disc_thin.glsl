@@ -12,6 +12,7 @@
 #else
 #define DISC_THIN_PX 6.0      // rings whose outer rim is closer to the critical direction: further out one is 3 px wide and more
 #endif
+#define DISC_THIN_OFF 0.2     // px by which the limit may be off: rings further out than that are met by their rays. It is off by 2 (delta / critical angle)^2 delta
 #define DISC_THIN_LEAST 0.002 // least covered part of a pixel that is drawn
 
 // Covered part of the pixel if crossing `number` belongs to a thin ring; `thin` false if it does not. `more`: may this ring or a
@@ -38,7 +39,9 @@ DiscThin disc_thin(Trace trace, PlaneMeeting meeting, int number) {
     float low = offset - 0.5 * trace.pixel_angle;
     float high = offset + 0.5 * trace.pixel_angle;
     DiscThin ring;
-    ring.thin = phi > frame.critical.w && far < DISC_THIN_PX * trace.pixel_angle;
+    float reach = max(abs(near), abs(far));
+    float part = reach / frame.strip.y;
+    ring.thin = phi > frame.critical.w && far < DISC_THIN_PX * trace.pixel_angle && 2.0 * part * part * reach < DISC_THIN_OFF * trace.pixel_angle;
     ring.more = low < far && high > min(near, 0.0) && far - near > DISC_THIN_LEAST * trace.pixel_angle;
     ring.covered = max(min(high, far) - max(low, near), 0.0) / trace.pixel_angle;
     return ring;

@@ -38,7 +38,7 @@ THINGS = {
     "none": {},
     "disc": {"disc": DISC},
     "disc-image": {"disc": {"inner": 3.2, "outer": 7.0, "brightness": 3.0}},
-    "disc-flow": {"disc": {**DISC, "texture": "formula", "formula": "0.5 + 0.5*x/length(x, y)", "flow": "kepler"}},
+    "disc-flow": {"disc": {**DISC, "texture": "formula", "formula": "0.5 + 0.5*x/length(x, y)", "flow": "kepler", "flow_life": 10}},
     "disc-thermal": {"disc": THERMAL},
     "disc-limb": {"disc": {**THERMAL, "limb_darkening": "on"}},
     "disc-gas": {"disc": {**DISC, "texture": "gas", "gas_contrast": 0.3}},

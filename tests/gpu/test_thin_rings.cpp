@@ -79,4 +79,32 @@ TEST_CASE("thin rings: a line with the reference's light" * test::costly()) {
     });
 }
 
+// Where a pixel is a fifth of the shadow's radius, the disc's near images are no thin rings: taken for some, they lost a tenth of their light.
+TEST_CASE("thin rings: a picture of few pixels has the disc's light") {
+    constexpr int kSamples = 4;
+    constexpr double kTotal = 0.006;  // of the light: rims filtered by a straight edge's share of a pixel
+    Scene scene;
+    scene.sky.kind = SkyKind::kBlack;
+    scene.disc = DiscSpec{};
+    scene.picture.refine = false;
+    scene.disc->inner = 3.2, scene.disc->outer = 7.0, scene.disc->material.texture = TextureKind::kPlain;
+    scene.camera.r = 11.246, scene.camera.theta = 73.545 * M_PI / 180;
+    scene.camera.width = 32, scene.camera.height = 18, scene.camera.plane_width = 2 * std::tan(37.5 * M_PI / 180);
+    on_one_context([&](GpuSession& session) {
+        for (const auto& [metric, lapse] : {std::pair{"schwarzschild", ""}, {"formula", "1 - r^2/(r^3 + 0.3^2)"}}) {
+            scene.spacetime = {metric, {}};
+            if (*lapse != 0) scene.spacetime.parameters.formulas["A"] = lapse;
+            REQUIRE(session.renderer->prepare(scene));
+            const double drawn = total(columns(session.renderer->picture()));
+            const auto sky = build_sky(scene.sky, {}, 16);
+            REQUIRE(sky);
+            const auto exact = reference::render_frame(scene, *sky, nullptr, kSamples, {});
+            REQUIRE(exact);
+            const double ratio = drawn / total(columns(*exact));
+            fmt::print("{:<7} {}: light {:.4f} of the reference's\n", session.context->kind(), metric, ratio);
+            CHECK(std::abs(ratio - 1) <= kTotal);
+        }
+    });
+}
+
 }  // namespace

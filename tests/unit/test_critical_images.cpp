@@ -104,4 +104,34 @@ TEST_CASE("critical images: successive rings are exp(-pi) as wide, without the l
         within, limit_within);
 }
 
+// Rings are drawn by the limit and its next term as far as that tells a pixel's place: shaders/planar/disc_thin.glsl counts on this error.
+TEST_CASE("critical images: the error grows with the square of the angle from the critical direction") {
+    constexpr double kOff = 2.0, kOffWithin = 3.7,
+                     kRounding = 1e-4;  // of (delta / critical angle)^2: beyond the photon sphere, and within
+    double most = 0, most_within = 0;
+    for (const double camera : {4.0, 11.0, 60.0, 1e4})
+        for (const auto& [metric, charge] : {std::pair{"schwarzschild", 0.0}, {"reissner-nordstrom", 0.8}}) {
+            const auto spacetime =
+                charge > 0 ? test::spherical(metric, MetricParameters{{"charge", charge}}) : test::spherical(metric);
+            const RayFamily family(spacetime, std::make_shared<const DeflectionTable>(*spacetime), camera,
+                                   frame_at_rest(spacetime->lapse_squared(camera)));
+            for (const double r : {1.3, 2.6, 3.2, 7.0, 30.0}) {
+                const CriticalImages images = critical_images(family, r, r);
+                double& worst = images.outer > 0 ? most : most_within;
+                for (const double part : {0.03, 0.06, 0.1, 0.15, 0.2, 0.3}) {
+                    const double delta = part * family.critical_angle();
+                    const double phi =
+                        swept_to(family, images.outer > 0 ? Segment::kSky : Segment::kCaptured, delta, r);
+                    if (!(phi > images.from_angle)) continue;  // not met there, or not past the disc
+                    const double drawn = std::fabs(bent(images.outer, images.outer_bend, images.per_angle, phi));
+                    worst = std::max(worst, (std::fabs(drawn / delta - 1) - kRounding) / (part * part));
+                }
+            }
+        }
+    fmt::print("critical images: off by {:.2f} (delta / critical angle)^2 of delta, {:.2f} within the photon sphere\n",
+               most, most_within);
+    CHECK(most <= kOff);
+    CHECK(most_within <= kOffWithin);
+}
+
 }  // namespace
