@@ -43,7 +43,7 @@ SolidSearch solid_search(bool ours, float pixel_angle) {
     search.pixel_angle = pixel_angle;
     search.left = MARCH_MOST_STEPS;
     search.before = 0.0;
-    search.before_value = 1.0e30;
+    search.before_value = 0.0;   // none: a ray that begins in a body does not enter it
     search.length = 0.0;
     search.psi = 0.0;
     search.until = 0.0;
