@@ -8,10 +8,15 @@
 
 #define MARCH_LONGEST 0.5    // of a step; a dip between two steps is looked for on the second's polynomials, as far before its start
 
+#define MARCH_BELOW 0.9      // of the way out to the least radius of a body
+
 // How far to the next sample, as a part of the step: within the least radius of a body only the way out counts, not how light winds.
-float march_step_length(RayPlace place, float length) {
-    float outward = abs(dot(place.velocity, place.outward));
-    float below = 0.9 * (frame.march_shell.y - place.r) / max(outward, 1.0e-20);
+// fall: of zeta at the step's end. Outside of the photon orbits zeta falls faster and faster, within them ever slower: its rate is the
+// largest at one end of what is left.
+float march_step_length(RayPlace place, float length, float fall) {
+    float zeta = 1.0 / place.r;
+    float fastest = max(abs(dot(place.velocity, place.outward)) * zeta * zeta, fall);
+    float below = MARCH_BELOW * (zeta - 1.0 / max(frame.march_shell.y, 1.0e-10)) / max(fastest, 1.0e-20);
     return min(max(place_part(place, length), below), MARCH_LONGEST);
 }
 
@@ -77,7 +82,7 @@ struct SegmentSearch {
     float before;         // the one before
     float before_value;
     MarchSpan span;       // where something may be met
-    bool grows_to;        // zeta at the step's end: the ray comes inward
+    float fall;           // of zeta at the step's end, below 0 where the ray comes inward
     bool on;              // there is more of the step to be sampled
 };
 
@@ -94,7 +99,7 @@ SegmentSearch segment_start(SpinRay ray, SpinSegment segment, SolidSearch search
     at.room = asked.y;
     at.before = max(1.0 - search.before / segment.h, -MARCH_LONGEST);
     at.before_value = search.before_value;
-    at.grows_to = spin_slope_at(segment.arc, 1.0).w > 0.0;
+    at.fall = -spin_slope_at(segment.arc, 1.0).w;
     at.on = true;
     return at;
 }
@@ -121,7 +126,7 @@ SegmentSearch segment_span(SegmentSearch at, RayPlace there, float next, float v
 // To the next sample.
 SegmentSearch segment_sample(SegmentSearch at) {
     float length = march_length(at.place, at.room, frame.march.x);
-    float next = min(at.s + march_step_length(at.place, length), 1.0);
+    float next = min(at.s + march_step_length(at.place, length, at.fall), 1.0);
     RayPlace there = way_place(at.way, next);
     vec3 chord = there.at - at.place.at;
     at.way.length += sqrt(dot(chord, chord));
@@ -146,7 +151,7 @@ SolidSearch segment_search(SpinRay ray, SpinSegment segment, float tau, SolidSea
             // On its way out beyond every body; what it does in later steps they tell. On its way in close to the hole nothing is left.
             bool outward = dot(at.place.velocity, at.place.outward) > 0.0;
             search.going = search.going && (outward || at.place.r > frame.march_shell.z);
-            at.on = search.going && at.s < 1.0 && (at.place.r < frame.march.x || !outward || at.grows_to);
+            at.on = search.going && at.s < 1.0 && (at.place.r < frame.march.x || !outward || at.fall < 0.0);
             search.left -= 1;
         } while (at.on && !at.span.enters && !at.span.grazes && search.left > 0);
         MarchContact contact = march_contact(at.way, at.span, SOLID_BLUR);
