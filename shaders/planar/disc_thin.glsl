@@ -10,7 +10,7 @@
 #ifdef EFFECT_SPOT
 #define DISC_THIN_PX 0.5      // what differs along a ring's width and in time is looked for as long as there are pixels to show it
 #else
-#define DISC_THIN_PX 6.0      // rings whose outer rim is closer to the critical direction: further out one is 3 px wide and more
+#define DISC_THIN_PX 6.0      // rays and rings whose outer rim is closer to the critical direction: further out one is 3 px wide and more
 #endif
 #define DISC_THIN_OFF 0.2     // px by which the limit may be off: rings further out than that are met by their rays. It is off by 2 (delta / critical angle)^2 delta
 #define DISC_THIN_LEAST 0.002 // least covered part of a pixel that is drawn
@@ -41,7 +41,8 @@ DiscThin disc_thin(Trace trace, PlaneMeeting meeting, int number) {
     DiscThin ring;
     float reach = max(abs(near), abs(far));
     float part = reach / frame.strip.y;
-    ring.thin = phi > frame.critical.w && far < DISC_THIN_PX * trace.pixel_angle && 2.0 * part * part * reach < DISC_THIN_OFF * trace.pixel_angle;
+    ring.thin = phi > frame.critical.w && max(far, abs(offset)) < DISC_THIN_PX * trace.pixel_angle &&
+                2.0 * part * part * reach < DISC_THIN_OFF * trace.pixel_angle;
     ring.more = low < far && high > min(near, 0.0) && far - near > DISC_THIN_LEAST * trace.pixel_angle;
     ring.covered = max(min(high, far) - max(low, near), 0.0) / trace.pixel_angle;
     return ring;

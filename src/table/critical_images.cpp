@@ -8,7 +8,9 @@ namespace {
 
 constexpr double kDelta = 1e-7;                      // of the critical angle
 constexpr double kBentFar = 0.04, kBentNear = 0.01;  // of the critical angle: where the next term is taken from
-constexpr double kNear = 0.3;  // chi from the photon sphere: from here on orbits wind as the limit does
+// Of chi from the photon sphere: from here on orbits wind as the limit does. A part of a rim's, for on its way in a ray is off the photon
+// sphere by as much, and within kNearest the limit is not used.
+constexpr double kNear = 0.3, kNearRim = 0.05, kNearest = 1e-4, kNever = 1e4;
 
 // Discs: where there is a horizon.
 double chi_of(const SphericalMetric& spacetime, double r) {
@@ -74,8 +76,14 @@ CriticalImages critical_images(const RayFamily& family, double inner, double out
     };
     images.inner_bend = bend(images.inner, inner);
     images.outer_bend = bend(images.outer, outer);
-    const double past = family.beyond() ? std::min(chi_of(spacetime, inner), M_PI / 2 - kNear)
-                                        : std::max(chi_of(spacetime, outer), M_PI / 2 + kNear);
+    const double inner_chi = chi_of(spacetime, inner), outer_chi = chi_of(spacetime, outer);
+    const double near =
+        std::min(kNear, kNearRim * std::min(std::fabs(inner_chi - M_PI / 2), std::fabs(outer_chi - M_PI / 2)));
+    if (near < kNearest) {
+        images.from_angle = kNever;
+        return images;
+    }
+    const double past = family.beyond() ? std::min(inner_chi, M_PI / 2 - near) : std::max(outer_chi, M_PI / 2 + near);
     if (family.beyond() ? family.chi0() < past : family.chi0() > past)
         images.from_angle = std::fabs(from_infinity(family, past) - from_infinity(family, family.chi0())) +
                             family.swept_inside(spacetime.photon_sphere()->q_crit);

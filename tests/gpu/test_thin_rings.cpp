@@ -107,4 +107,32 @@ TEST_CASE("thin rings: a picture of few pixels has the disc's light") {
     });
 }
 
+// The limit holds from where the critical ray is closer to the photon sphere than the disc's rims are, and next to the critical direction.
+TEST_CASE("thin rings: a disc about the photon sphere") {
+    constexpr double kTotal = 0.01;
+    constexpr int kSamples = 4;
+    Scene scene;
+    scene.sky.kind = SkyKind::kBlack;
+    scene.disc = DiscSpec{};
+    const auto image = load_disc_image(*scene.disc);
+    REQUIRE(image);
+    scene.camera.r = 15.0, scene.camera.theta = M_PI / 3;
+    scene.camera.width = 160, scene.camera.height = 90, scene.camera.plane_width = 2 * std::tan(12 * M_PI / 180);
+    on_one_context([&](GpuSession& session) {
+        for (const auto& [inner, outer] : {std::pair{1.45, 1.55}, {1.4, 1.6}}) {
+            scene.disc->inner = inner, scene.disc->outer = outer;
+            REQUIRE(session.renderer->prepare(scene));
+            const double drawn = total(columns(session.renderer->picture()));
+            const auto sky = build_sky(scene.sky, {}, 16);
+            REQUIRE(sky);
+            const auto exact = reference::render_frame(scene, *sky, &image->image, kSamples, {});
+            REQUIRE(exact);
+            const double ratio = drawn / total(columns(*exact));
+            fmt::print("{:<7} {} to {}: light {:.4f} of the reference's\n", session.context->kind(), inner, outer,
+                       ratio);
+            CHECK(std::abs(ratio - 1) <= kTotal);
+        }
+    });
+}
+
 }  // namespace
