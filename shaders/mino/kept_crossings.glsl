@@ -27,6 +27,9 @@ struct KeptCrossings {
     float within;         // inside of the inner rim
     float beyond;         // outside of the outer rim
     bool covered;         // by an opaque disc
+#ifdef EFFECT_NARROW_DISC
+    float narrow_disc;        // whether the first is outside of the outer rim, on the way in
+#endif
 #endif
 };
 
@@ -43,6 +46,9 @@ KeptCrossings kept_none() {
     kept.within = 0.0;
     kept.beyond = 0.0;
     kept.covered = false;
+#ifdef EFFECT_NARROW_DISC
+    kept.narrow_disc = 0.0;
+#endif
 #endif
     return kept;
 }
@@ -66,15 +72,19 @@ int kept_place(KeptCrossings kept, DiscCrossing crossing) {
 }
 
 #ifdef EFFECT_REFINE
-KeptCrossings kept_counts(KeptCrossings kept, DiscCrossing crossing, bool crossed) {
+KeptCrossings kept_counts(KeptCrossings kept, DiscCrossing crossing, SpinStep at, bool crossed) {
     bool counts = crossed && !kept.covered && crossing.number > frame.disc_surface.w;
     kept.within += counts && crossing.r < frame.disc_x.w ? 1.0 : 0.0;
     kept.beyond += counts && crossing.r > frame.disc_y.w ? 1.0 : 0.0;
+#ifdef EFFECT_NARROW_DISC
+    bool inward = at.from.v.w + at.to.v.w > 0.0;
+    kept.narrow_disc = crossed && kept.number == 1.0 && inward && crossing.r > frame.disc_y.w ? 1.0 : kept.narrow_disc;
+#endif
     kept.covered = kept.covered || (counts && within_disc(crossing.r) && frame.disc_surface.x >= 1.0 && frame.disc_surface.y == 0.0);
     return kept;
 }
 #else
-KeptCrossings kept_counts(KeptCrossings kept, DiscCrossing crossing, bool crossed) { return kept; }
+KeptCrossings kept_counts(KeptCrossings kept, DiscCrossing crossing, SpinStep at, bool crossed) { return kept; }
 #endif
 
 // And the one on a step that passes the plane, of a ray that meets what is ours.
@@ -88,7 +98,7 @@ KeptCrossings kept_with(KeptCrossings kept, SpinRay ray, SpinStep at, bool ours)
     bool crossed = at.crosses && ours;
     kept.number += crossed ? 1.0 : 0.0;
     crossing.number = kept.number;
-    kept = kept_counts(kept, crossing, crossed);
+    kept = kept_counts(kept, crossing, at, crossed);
     if (crossed && kept.number > frame.disc_surface.w && crossing.r > max(ray.outer, frame.disc_x.w - rim) && crossing.r < min(SPIN_FARTHEST, frame.disc_y.w + rim)) {
         int place = kept_place(kept, crossing);
         if (place == 0) kept.crossing_0 = crossing;
@@ -124,7 +134,14 @@ KeptCrossings kept_footprints(KeptCrossings kept, float pixel_angle) {
 #endif
 
 #ifdef EFFECT_REFINE
-float kept_way(KeptCrossings kept, bool escapes) { return kept.covered ? 0.0 : spin_way(escapes, kept.within, kept.beyond); }
+#ifdef EFFECT_NARROW_DISC
+float kept_before(KeptCrossings kept) { return 4.0 * kept.narrow_disc; }
+#else
+float kept_before(KeptCrossings kept) { return 0.0; }
+#endif
+float kept_way(KeptCrossings kept, bool escapes) {
+    return kept.covered ? 0.0 : spin_way(escapes, kept.within, kept.beyond) + kept_before(kept);
+}
 #endif
 #else
 struct KeptCrossings {

@@ -25,15 +25,31 @@ struct DiscWalk {
 #endif
 };
 
-#ifdef DISC_IS_THIN
 #ifdef EFFECT_REFINE
-// All pixels that a thin ring may cover differ from their neighbours (effect/edge.glsl): it is one colour only while a pixel has one ray.
-float path_way(Trace trace) {
-    if (!disc_thin_near(trace, disc_meeting(trace))) return 0.0;
-    ivec2 place = ivec2(gl_FragCoord.xy);
-    return 1.0 + float((place.x + place.y) % 2);
+#ifdef EFFECT_NARROW_DISC
+// A disc thinner than a pixel may lie between two rays: one crosses its plane before it, the other within it or behind it.
+float narrow_disc_way(DiscCrossing crossing) {
+    return (crossing.r > frame.disc_y.w && crossing.zeta_slope > 0.0 ? 1.0 : 0.0) + (crossing.r < frame.disc_x.w ? 2.0 : 0.0);
 }
+
+float disc_way(Trace trace, PlaneMeeting meeting) {
+    return meeting.phi < trace.phi_end ? narrow_disc_way(disc_cross(trace, meeting, 0, 0.0)) : 0.0;
+}
+#else
+float disc_way(Trace trace, PlaneMeeting meeting) { return 0.0; }
 #endif
+
+// For effect/edge.glsl.
+float path_way(Trace trace) {
+    PlaneMeeting meeting = disc_meeting(trace);
+    float way = disc_way(trace, meeting);
+#ifdef DISC_IS_THIN
+    // All pixels that a thin ring may cover differ from their neighbours: it is one colour only while a pixel has one ray.
+    ivec2 place = ivec2(gl_FragCoord.xy);
+    way = disc_thin_near(trace, meeting) ? 1.0 + float((place.x + place.y) % 2) : way;
+#endif
+    return way;
+}
 #endif
 
 #ifdef EFFECT_ZOOM

@@ -48,7 +48,7 @@ float path_steps(Trace trace) { return 0.0; }     // that the tracer took
 #endif
 #endif
 #endif
-#ifndef DISC_IS_THIN
+#ifndef EFFECT_DISC
 float path_way(Trace trace) { return 0.0; }       // effect/edge.glsl
 #endif
 float swept_angle(float along) { return along; }  // of a place on the ray, by what tells the order of places

@@ -1,7 +1,10 @@
 // Features of the disc and what is in it.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "plan/feature.h"
+#include "scene/projection.h"
 #include "spacetime/circular_orbit.h"
 
 namespace nullscope {
@@ -40,6 +43,33 @@ Feature ring_rates() {
                 s.spacetime = {"formula", {}};
                 s.spacetime.parameters.formulas["A"] = "1 - 1/r";
             }};
+}
+
+// Whether some of its first image may lie between the rays of two pixels. Its rims are ellipses with half axes a and a |cos(theta)|, a in px
+// by the camera's distance: the ends of the outer one are narrower than a pixel where a/(8 b^2) px are left of its length, b the minor half
+// axis; between the rims there are as many px above and below the hole as their minor half axes differ by.
+bool is_narrow(const CameraSpec& camera, const DiscSpec& disc) {
+    constexpr double kEnds_px = 0.5, kBand_px = 2.0;
+    const double pixel = camera.r * pixel_angle(camera, 0.5 * camera.width, 0.5 * camera.height),
+                 slope = std::fabs(std::cos(camera.theta));
+    return 8.0 * kEnds_px * slope * slope * disc.outer < pixel || slope * (disc.outer - disc.inner) < kBand_px * pixel;
+}
+
+Feature narrow_disc() {
+    return {{Effect::kNarrowDisc, "narrow-disc", "EFFECT_NARROW_DISC",
+             "Pixels get more rays also where a disc narrower than a pixel lies between two rays.",
+             "there is the effect refine, and a disc that looks narrow: by its radii, by camera.theta, or from afar",
+             "a crossing more a ray"},
+            [](const FrameFacts& f) {
+                const bool refines = f.so_far.contains(Effect::kRefine) && f.so_far.contains(Effect::kDisc);
+                return reason_if(
+                    refines && is_narrow(f.scene.camera, *f.scene.disc),
+                    fmt::format("camera.theta = {:.4g}, disc.inner = {:.4g}, disc.outer = {:.4g}",
+                                180.0 / M_PI * f.scene.camera.theta, f.scene.disc->inner, f.scene.disc->outer));
+            },
+            nullptr,
+            [](Scene& s) { still_disc(s), s.camera.theta = 1.0; },
+            [](Scene& s) { s.camera.theta = 1.57; }};
 }
 
 }  // namespace
@@ -119,6 +149,7 @@ std::span<const Feature> disc_features() {
          still_disc,
          [](Scene& s) { s.disc->flow = DiscFlowKind::kKepler; }},
         ring_rates(),
+        narrow_disc(),
         {{Effect::kSpot,
           "spot",
           "EFFECT_SPOT",

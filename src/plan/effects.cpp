@@ -117,6 +117,10 @@ bool uses_black_body(const EffectSet& effects) {
 bool takes_samples(const EffectSet& effects) {
     return effects.contains(Effect::kSamples) || effects.contains(Effect::kRefine);
 }
+EffectSet with_one_ray(EffectSet effects) {
+    for (const Effect effect : {Effect::kSamples, Effect::kRefine, Effect::kNarrowDisc}) effects.erase(effect);
+    return effects;
+}
 bool meets_objects(const EffectSet& effects) {
     return effects.contains(Effect::kDisc) || has_solids(effects) || has_medium(effects);
 }

@@ -64,6 +64,7 @@ enum class Effect {
     kSamples,
     kDiscGas,
     kRefine,
+    kNarrowDisc,
     kZoom,
     kSpinRing,
     kSpinNear,
@@ -155,6 +156,7 @@ bool has_solids(const EffectSet& effects);                         // any solid 
 bool has_medium(const EffectSet& effects);                         // matter along rays
 bool uses_black_body(const EffectSet& effects);                    // in the picture's shader: the table of their light
 bool takes_samples(const EffectSet& effects);                      // pixels with several rays each
+EffectSet with_one_ray(EffectSet effects);                         // a pixel: without those of several
 bool meets_objects(const EffectSet& effects);  // anything that needs positions along rays: ray ends, orbit table
 bool moves(const EffectSet& effects);          // a body whose place or shape depends on time
 

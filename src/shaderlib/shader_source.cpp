@@ -83,7 +83,8 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     }
     if (delayed) defines.emplace_back("NEEDS_DELAY");
     const bool delay = effects.contains(Effect::kDelay);
-    if (effects.contains(Effect::kThermalDisc) || (effects.contains(Effect::kDisc) && delay))
+    if (effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kNarrowDisc) ||
+        (effects.contains(Effect::kDisc) && delay))
         defines.emplace_back("NEEDS_ZETA_SLOPE");
     if (moves(effects) || (delay && (effects.contains(Effect::kSurface) || effects.contains(Effect::kMediumMotion))))
         defines.emplace_back("NEEDS_PLACE_LATE");

@@ -71,8 +71,7 @@ void FrameRenderer::warm_up(const PaintJob& job, const TexturesInUse& avoid, con
 double FrameRenderer::ray_picture_ms(const PaintJob& job) const {
     Scene once = job.scene;
     once.picture.samples = 1;  // of pictures in motion
-    EffectSet effects = effect_set(required_effects(once));
-    effects.erase(Effect::kRefine);
+    const EffectSet effects = with_one_ray(effect_set(required_effects(once)));
     if (method_ != job.method || effects_ != effects) return 0.0;
     if (job.side_b == nullptr) return picture_ms_;
     const double other = side_b_ != nullptr ? side_b_->ray_picture_ms(*job.side_b) : 0.0;
@@ -172,8 +171,7 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
     if (watch.give_up()) return std::nullopt;
     if (painting.ready) {
         painting.draft = first && drafts(job);
-        EffectSet effects = renderer_.tables().effects();
-        effects.erase(Effect::kSamples), effects.erase(Effect::kRefine);
+        const EffectSet effects = with_one_ray(renderer_.tables().effects());
         if (effects != effects_ || job.method != method_) ray_ms_ = 0.0, half_ray_ms_ = {};
         effects_ = effects, method_ = job.method;
         const gl::Target& drawn = target(painting.width, painting.height, avoid);

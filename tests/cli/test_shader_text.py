@@ -57,6 +57,7 @@ WORDS = {
     "light-times": [r"vec4 delay"],
     "disc-flow": [r"disc_(?:flow|turned|winding|orbit|rate\b)"],
     "ring-rates": [r"disc_rate_\w+"],
+    "narrow-disc": [r"narrow_disc\w*"],
     "spot": [r"spot_\w+"],
     "ball-path": [r"ball_path\w*", r"moving_ball\w*"],
     "pulse": [r"pulse\w*"],
@@ -100,6 +101,8 @@ SCENES = {
     "everything": '[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nedge = 0.2\n[sphere]\ntexture = "checker"\n'
                   '[cylinder]\ntexture = "noise"\n[ball]\ntexture = "formula"\nformula = "u"\n',
     "ring-rates": '[spacetime]\nmetric = "formula"\nA = "1 - 1/r"\n[sky]\nkind = "black"\n[disc]\nflow = "kepler"\n[light]\ndelay = "off"\n',
+    "narrow-disc": '[camera]\ntheta = 90.1\n[sky]\nkind = "black"\n[disc]\n',
+    "spin, narrow-disc": '[spacetime]\nmetric = "kerr"\n[camera]\ntheta = 89.9\n[sky]\nkind = "black"\n[disc]\n',
     "inner": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n[far_sky]\nkind = "black"\n',
     "far sky": '[spacetime]\nmetric = "ellis"\n[sky]\nkind = "black"\n',
     "bounce": '[spacetime]\nmetric = "reissner-nordstrom"\ncharge = 1.2\n[sky]\nkind = "black"\n',

@@ -128,6 +128,7 @@ std::vector<Scene> full_scenes() {
     rings.spacetime.metric = "formula", rings.spacetime.parameters.formulas["A"] = "1 - 1/r";
     rings.sky.kind = SkyKind::kBlack, rings.light.delay = false;
     rings.disc.emplace().flow = DiscFlowKind::kKepler;
+    rings.camera.theta = 1.57;
     for (const MediumModel* model : medium_models()) {
         Scene& scene = scenes.emplace_back();
         scene.camera = scenes.front().camera;

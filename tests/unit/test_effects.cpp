@@ -2,6 +2,8 @@
 // here.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <bitset>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,28 +17,29 @@ using namespace nullscope;
 
 namespace {
 
-using Bits = unsigned long long;  // one an effect
+using Bits = std::bitset<kEffectCount>;
 
 EffectSet subset(Bits bits) {
     EffectSet set;
     for (const EffectRow* row : effect_rows()) {
-        if (bits >> static_cast<unsigned>(row->effect) & 1u) set.insert(row->effect);
+        if (bits[static_cast<std::size_t>(row->effect)]) set.insert(row->effect);
     }
     return set;
 }
 
 // Subsets of at most three effects, and all but at most three.
 std::vector<Bits> subsets() {
-    constexpr Bits kAll = (Bits{1} << kEffectCount) - 1;
-    std::set<Bits> found;
-    for (std::size_t i = 0; i <= kEffectCount; ++i)
-        for (std::size_t j = 0; j <= kEffectCount; ++j)
-            for (std::size_t k = 0; k <= kEffectCount; ++k) {
-                const Bits bits = (Bits{1} << i | Bits{1} << j | Bits{1} << k) & kAll;  // kEffectCount: none
-                found.insert(bits);
-                found.insert(kAll & ~bits);
+    constexpr std::size_t kNone = kEffectCount;
+    std::vector<Bits> found;
+    for (std::size_t i = 0; i <= kNone; ++i)
+        for (std::size_t j = std::min(i + 1, kNone); j <= kNone; ++j)
+            for (std::size_t k = std::min(j + 1, kNone); k <= kNone; ++k) {
+                Bits bits;
+                for (const std::size_t one : {i, j, k})
+                    if (one != kNone) bits.set(one);
+                found.insert(found.end(), {bits, ~bits});
             }
-    return {found.begin(), found.end()};
+    return found;
 }
 
 // Exactly these, none twice, in the table's order.
@@ -72,9 +75,9 @@ TEST_CASE("an effect set is its content: subsets as map keys") {
         CHECK(again == set);
         CHECK(set.list().size() == set.size());
         CHECK(set.keys().size() == set.size());
-        CHECK(set.empty() == (bits == 0));
+        CHECK(set.empty() == bits.none());
         for (const EffectRow* row : effect_rows()) {
-            CHECK(set.contains(row->effect) == ((bits >> static_cast<unsigned>(row->effect) & 1u) != 0));
+            CHECK(set.contains(row->effect) == bits[static_cast<std::size_t>(row->effect)]);
         }
         CHECK(seen.emplace(set, bits).second);
     }

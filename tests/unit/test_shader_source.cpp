@@ -132,6 +132,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kDither, {"dither_noise"}},
     {Effect::kSamples, {}},  // what it shares with kRefine is looked for below
     {Effect::kRefine, {"edge_shown"}},
+    {Effect::kNarrowDisc, {"narrow_disc"}},
     {Effect::kStar, {"star_surface", "star_square"}},
     {Effect::kSides, {"value_by_side", "vec4 throat;", "place.side"}},
     {Effect::kDelay, {"light_time("}},
