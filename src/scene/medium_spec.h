@@ -71,8 +71,8 @@ struct EmissionLaw {
     bool temperature, field;  // asks for these
 };
 inline constexpr EmissionLaw kEmissionLaws[] = {
-    {"power-law", "of the frequency", true, false, false},
-    {"black-body", "by its temperature in all colours, with one opacity", false, true, false},
+    {"power-law", "a power of the frequency", true, false, false},
+    {"black-body", "Planck's law at its temperature, with the same opacity at all frequencies", false, true, false},
     {"synchrotron", "thermal electrons in a magnetic field", true, true, true},
     {"bremsstrahlung", "thermal electrons among protons", true, true, false},
 };

@@ -9,7 +9,7 @@ inline double stereographic_scale(ImagePlace at) { return 1.0 / (1.0 + 0.25 * (a
 
 inline constexpr ProjectionRow kStereographicProjection{
     .name = "stereographic",
-    .is = "angles stay angles, as in planetariums and little planets",
+    .is = "conformal, as in planetariums and little planets",
     .effect = "stereographic",
     .define = "EFFECT_STEREOGRAPHIC",
     .help = "The picture is stereographic: small things keep their shape, all round the camera.",

@@ -334,7 +334,8 @@ constexpr SceneKey kKeys[] = {
 
     on_off_key("light", "shift", "on", "Whether Doppler and gravitational shift change the colour of thermal emission.",
                [](auto& s) { return &s.light.shift; }),
-    on_off_key("light", "beaming", "on", "Whether they change its brightness.",
+    on_off_key("light", "beaming", "on",
+               "Whether Doppler and gravitational shift change the brightness of thermal emission.",
                [](auto& s) { return &s.light.beaming; }),
     on_off_key("light", "doppler", "on",
                "Whether the redshift factor g includes the Doppler shift: the motion of matter and camera.",
