@@ -59,6 +59,8 @@ std::array<double, 2> divided(double inside_r, const Is& is, double outside_r = 
 }  // namespace
 
 std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r) {
+    if (const auto horizon = spacetime.horizon_radius(); horizon && r <= *horizon)
+        return {};  // within an inner one there are some
     const auto equator = spacetime.equator(r);
     return equator ? orbit_in(*equator) : std::nullopt;
 }
