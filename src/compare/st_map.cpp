@@ -1,6 +1,8 @@
 #include "compare/st_map.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "observer/pose.h"
 #include "scene/projection.h"
@@ -17,7 +19,9 @@ std::optional<StPlace> plate_place(const CameraSpec& camera, Vec3 direction) {
     const Mat3 world_from_camera = world_from_static(camera.theta, camera.phi) * static_from_camera(camera);
     const auto pixel = pixel_of(camera, transposed(world_from_camera) * direction);
     if (!pixel) return {};
-    return StPlace{(*pixel)[0] / camera.width, 1.0 - (*pixel)[1] / camera.height};
+    const StPlace place{(*pixel)[0] / camera.width, 1.0 - (*pixel)[1] / camera.height};
+    const bool fits = std::max(std::fabs(place[0]), std::fabs(place[1])) <= std::numeric_limits<float>::max();
+    return fits ? std::optional(place) : std::nullopt;
 }
 
 Image<float> st_map(const RayFrame& rays, const std::function<std::optional<StPlace>(Vec3 direction)>& place) {

@@ -17,7 +17,8 @@ using StPlace = std::array<double, 2>;
 // Of an equirectangular picture, azimuth 0 in the middle and growing to the left, by the direction in the picture's own axes.
 StPlace panorama_place(Vec3 direction);
 // Of a flat plate: the picture that the same camera takes of the sky at rest, where light runs straight; beside the picture below 0 or
-// above 1. By the direction in world axes; nothing where the projection shows no such place.
+// above 1. By the direction in world axes; nothing where the projection shows no such place, or
+// one too far for a float, as a deep zoom's is.
 std::optional<StPlace> plate_place(const CameraSpec& camera, Vec3 direction);
 
 // Of each pixel's middle: s, t and 1 where the ray comes from the sky (at l = -infinity of a wormhole: not) and has a place there; else 0, 0, 0.

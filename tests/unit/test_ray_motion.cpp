@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "compare/ray_motion.h"
@@ -84,6 +85,15 @@ TEST_CASE("ray motion: light that arrives later has left later") {
     CHECK(seen == doctest::Approx(2.5));
     CHECK(motion.known[now.index(80, 45)] == 1.0f);
     CHECK(std::abs(motion.right[now.index(80, 45)]) < kMotionError_px);
+}
+
+// A plate as narrow as a deep zoom's view: most of the sky is further from it than a float can say.
+TEST_CASE("ST maps: places on a narrow plate are finite") {
+    CameraSpec camera = camera_of(0.4);
+    camera.plane_width = 1e-300;
+    const Image<float> plate =
+        st_map(rays_of(camera_of(0.4), 0.0, 0.0), [&](Vec3 n) { return plate_place(camera, n); });
+    CHECK(std::ranges::all_of(plate.data, [](float v) { return std::isfinite(v); }));
 }
 
 TEST_CASE("ST maps: with straight light a plate is the picture itself, a panorama the sky") {
