@@ -15,6 +15,9 @@ struct PixelView {
     float angle;            // that the pixel spans, rad: the square root of its solid angle; of a pinhole as if pixels were square
 };
 
+// A pixel's longer side over PixelView.angle, at most.
+float pixel_longest() { return max(frame.sight.z, inversesqrt(frame.sight.z)); }
+
 // form: of pixels to the right and upward, and ahead (frame.ray_x, ray_y, ray_0); the unit direction's.
 vec4 view_form(vec4 ahead, vec4 right, vec4 up, PixelView view) {
     return (view.at.z * ahead + view.at.x * right + view.at.y * up) * view.inverse_length;

@@ -1,5 +1,6 @@
 // Which bodies may a tile of the picture show? Its middle ray is followed beside the rays through its corners. None of the tile's rays meets a
 // body that is farther from the middle ray everywhere than they are, which the corners' rays and straight light tell.
+#include "core/pixel_view.glsl"
 #include "generated/bodies_march"
 #include "generated/tiles"
 #include "path/place"
@@ -16,13 +17,15 @@
 uniform int tile_scale;   // FIRST_TILES: of the first pass, whose tiles are so many times as wide; 1
 
 float tile_side() { return float(TILE_SIDE * tile_scale); }
-float tile_reach() { return 0.5 * tile_side() + 1.0; }   // px from the middle to the sides, and a pixel for edges that are blurred
+float tile_reach() { return 0.5 * tile_side() + 1.0; }   // pixels from the middle to the sides, and one for edges that are blurred
+float tile_longest() { return tile_reach() * pixel_longest(); }   // ... at most, by the angle that a pixel spans
 
-// From the tile's middle, px. 0: the middle.
+// From the tile's middle, px of a pixel's height. 0: the middle.
 vec2 tile_ray(int k) {
     if (k == 0) return vec2(0.0, 0.0);
-    float reach = tile_reach();
-    return vec2(k < 3 ? -reach : reach, k == 1 || k == 3 ? -reach : reach);
+    float up = tile_reach();
+    float right = up * frame.sight.z;
+    return vec2(k < 3 ? -right : right, k == 1 || k == 3 ? -up : up);
 }
 
 // Where the corners' rays are next to a place of the middle's.
@@ -65,7 +68,7 @@ struct TileLook {
 // way: from the camera.
 TileLook tile_look(RayPlace place, TileSpread corners, float way, float pixel_angle, uvec2 bodies) {
     TileLook look;
-    look.spread = max(TILE_SPREAD * corners.across, 1.5 * tile_reach() * pixel_angle * way);
+    look.spread = max(TILE_SPREAD * corners.across, 1.5 * tile_longest() * pixel_angle * way);
     look.bodies = bodies;
     look.free = march_clear(place, look.spread + max(TILE_LEAST * look.spread, frame.march.y), look.bodies) - look.spread;
     look.bundle = corners.offset < TILE_WIDEST * place.r;   // not where they are no numbers

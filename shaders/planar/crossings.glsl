@@ -15,5 +15,5 @@ vec2 crossing_place(Trace trace, int k) {
 // Are there no others, and no ring thinner than a pixel near?
 bool crossings_known(Trace trace) {
     float offset = (trace.ray.u - 1.0) / frame.strip.z;   // the angle from the critical direction
-    return disc_meeting(trace).phi + 2.0 * 3.14159265358979323846 > trace.phi_end && offset > (DISC_THIN_PX + 2.0 * float(TILE_SIDE)) * trace.pixel_angle;
+    return disc_meeting(trace).phi + 2.0 * 3.14159265358979323846 > trace.phi_end && offset > (DISC_THIN_PX + 2.0 * float(TILE_SIDE) * pixel_longest()) * trace.pixel_angle;
 }

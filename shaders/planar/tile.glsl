@@ -19,7 +19,7 @@ uvec2 tile_bodies(vec2 middle, uvec2 among) {
         bundle = bundle && rays[k].escapes == rays[0].escapes;
     }
     Trace ray = rays[0];
-    bundle = bundle && ray.s > 3.0 * tile_reach() * ray.pixel_angle;
+    bundle = bundle && ray.s > 3.0 * tile_longest() * ray.pixel_angle;
     vec3 tangent = place_tangent(ray);
     vec3 start = radial_direction() / frame.shift.y;
     uvec2 bodies = uvec2(0u, 0u);

@@ -166,6 +166,25 @@ TEST_CASE("tiles: balls anywhere are where they are in the picture at once" * te
             }
 }
 
+TEST_CASE("tiles: balls are where they are in wide and in high pixels" * test::costly()) {
+    auto session = test::open_gpu("egl");
+    REQUIRE(session);
+    for (const char* metric : {"schwarzschild", "kerr"}) {
+        std::mt19937 random(5);
+        FrameDifference sum;
+        for (const double aspect : {0.4, 3.0, 8.0}) {
+            Scene scene = random_balls(metric, 6, false, random);
+            scene.camera.pixel_aspect = aspect, scene.camera.plane_width = 2.0;
+            scene.camera.width = 96, scene.camera.height = aspect < 1.0 ? 24 : 200;
+            compare(*session->renderer, scene, Tiles::kBodies, sum);
+        }
+        fmt::print("tiles, wide and high pixels about {}: {} of {} pixels differ, {} by more than a rim\n", metric,
+                   sum.pixels, sum.drawn, sum.lost);
+        CHECK(sum.drawn > 0);
+        CHECK(static_cast<double>(sum.lost) <= kLost * static_cast<double>(sum.drawn));
+    }
+}
+
 TEST_CASE("tiles: thin, small and edge-on discs are not missed" * test::costly()) {
     struct View {
         double r, theta, fov, inner, outer;
