@@ -21,22 +21,28 @@ struct TileCrossing {
     bool full;    // within it, in its opaque part
 };
 
+// Where others of the tile do not cross the plane: does this one not either, or so far out and on its way out that those
+// between cross it farther still?
+bool tile_leaves(vec2 place) {
+    float r2 = dot(place, place);
+    float far = TILE_FAR * frame.disc_y.w;
+    vec2 camera = vec2(frame.radial.x, frame.radial.y) / frame.shift.y;
+    return r2 == 0.0 || (r2 > far * far && r2 > dot(place, camera));
+}
+
 TileCrossing tile_crossing(vec2 a, vec2 b, vec2 c, vec2 d, vec2 e) {
     vec2 mean = 0.2 * (a + b + c + d + e);
     vec4 off2 = vec4(dot(a - mean, a - mean), dot(b - mean, b - mean), dot(c - mean, c - mean), dot(d - mean, d - mean));
     float spread = TILE_SPREAD_MORE * sqrt(max(max(max(off2.x, off2.y), max(off2.z, off2.w)), dot(e - mean, e - mean)));
     float from = length(mean) - spread;
     float to = length(mean) + spread;
-    vec4 r2 = vec4(dot(a, a), dot(b, b), dot(c, c), dot(d, d));   // 0 where there is no crossing
-    float least2 = min(min(min(r2.x, r2.y), min(r2.z, r2.w)), dot(e, e));
-    float far = TILE_FAR * frame.disc_y.w;
-    vec4 near = vec4(greaterThan(r2, vec4(0.0))) * vec4(lessThan(r2, vec4(far * far)));
-    bool none_near = near == vec4(0.0) && (dot(e, e) == 0.0 || dot(e, e) > far * far);
+    float least2 = min(min(min(dot(a, a), dot(b, b)), min(dot(c, c), dot(d, d))), dot(e, e));   // 0 where there is no crossing
+    bool leave = tile_leaves(a) && tile_leaves(b) && tile_leaves(c) && tile_leaves(d) && tile_leaves(e);
     float inner = frame.disc_x.w;
     float outer = frame.disc_y.w;
     float rim = TILE_RIM * spread;
     TileCrossing crossing;
-    crossing.clear = least2 == 0.0 ? none_near : from > outer + rim || to < inner - rim;
+    crossing.clear = least2 == 0.0 ? leave : from > outer + rim || to < inner - rim;
 #ifdef EFFECT_TRANSLUCENT_DISC
     rim += frame.disc_surface.x < 1.0 ? outer : frame.disc_surface.y * (outer - inner);
 #endif

@@ -222,6 +222,22 @@ TEST_CASE("tiles: thin, small and edge-on discs are not missed" * test::costly()
         }
 }
 
+TEST_CASE("tiles: a disc is not missed between rays before it and rays that never cross its plane" * test::costly()) {
+    auto session = test::open_gpu("egl");
+    REQUIRE(session);
+    Scene scene;
+    scene.picture.refine = false;
+    scene.sky.kind = SkyKind::kBlack;
+    scene.camera.r = 300, scene.camera.theta = std::numbers::pi / 2 - 3.5e-3, scene.camera.plane_width = 2.4;
+    scene.camera.width = 643, scene.camera.height = 91;
+    scene.disc = DiscSpec{};
+    scene.disc->outer = 120;
+    FrameDifference sum;
+    compare(*session->renderer, scene, Tiles::kTraced, sum);
+    CHECK(sum.drawn > 0);
+    CHECK(sum.pixels == 0);
+}
+
 TEST_CASE("tiles: programs are built ahead, and used once all of them are there" * test::costly()) {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
