@@ -68,9 +68,11 @@ vec2 mapping_polar_step(vec3 d, vec3 side, float width) {
     return vec2((d.x * side.y - d.y * side.x) / rho2 * 0.15915494309189533577, (d.x * side.x + d.y * side.y) * inversesqrt(rho2) / width);
 }
 
-// Difference of two texture coordinates of neighbouring places: across a seam it counts as small.
-vec2 mapping_step(vec2 to, vec2 from) {
+// Difference of two texture coordinates of neighbouring places: across a seam, and next to a pole, where it is longer than their distance of at
+// least so many radii explains, it counts as small.
+vec2 mapping_step(vec2 to, vec2 from, float least) {
     vec2 step = to - from;
     step.x -= floor(step.x + 0.5);
-    return dot(step, step) > 0.0225 ? vec2(0.002) : step;
+    float most = max(0.15, 0.5 * least);
+    return dot(step, step) > most * most ? vec2(0.002) : step;
 }

@@ -63,8 +63,20 @@ vec2 BODY_uv(Material material, vec3 at) {
 #endif
 }
 
-// How far (u, v) moves with the place: a side of the pixel's box.
-vec2 BODY_step(Material material, vec3 at, vec3 side, vec2 uv) {
+#ifdef MAPPING_OUTSIDE
+float BODY_width(vec3 at, vec3 along, vec3 across) {
+    float share = inversesqrt(max(dot(at, at), 1.0e-36));
+    vec3 a = along * share;
+    vec3 b = across * share;
+    vec3 area = cross(a, b);
+    return sqrt(dot(area, area) / max(max(dot(a, a), dot(b, b)), 1.0e-36));
+}
+#else
+float BODY_width(vec3 at, vec3 along, vec3 across) { return 0.0; }
+#endif
+
+// How far (u, v) moves with the place: a side of the pixel's box. least: the box's lesser width, in radii.
+vec2 BODY_step(Material material, vec3 at, vec3 side, vec2 uv, float least) {
 #ifdef MAPPING_POLAR
     return mapping_polar_step(at, side, frame.disc_y.w - frame.disc_x.w);
 #endif
@@ -72,7 +84,7 @@ vec2 BODY_step(Material material, vec3 at, vec3 side, vec2 uv) {
     return mapping_inside_step(at, side);
 #endif
 #ifdef MAPPING_OUTSIDE
-    return mapping_step(BODY_uv(material, at + side), uv);
+    return mapping_step(BODY_uv(material, at + side), uv, least);
 #endif
 }
 
@@ -92,8 +104,9 @@ vec3 BODY_pattern(Material material, vec3 at, vec3 along, vec3 across) {
     vec3 first = material.colour.rgb;
     vec3 second = material.second.rgb;
     vec2 uv = BODY_uv(material, at);
-    vec2 a = BODY_step(material, at, along, uv);
-    vec2 b = BODY_step(material, at, across, uv);
+    float least = BODY_width(at, along, across);
+    vec2 a = BODY_step(material, at, along, uv, least);
+    vec2 b = BODY_step(material, at, across, uv, least);
     vec2 cells = material.map.zw;
     vec2 wide = (abs(a) + abs(b)) * cells;
     vec3 light = first;

@@ -179,6 +179,34 @@ TEST_CASE("bodies: behind a body's edge is what lies behind it") {
     });
 }
 
+// A pixel is nearly as wide as the ball, and its texture half dark: half of its light, not that of one place.
+TEST_CASE("bodies: a ball of about a pixel shows the mean of its texture") {
+    on_one_context([](GpuSession& session) {
+        const auto light = [&](double radius, TextureKind texture) {
+            Scene scene = Draft().metric("minkowski").size(64, 36).sky(SkyKind::kBlack).scene;
+            scene.picture.refine = false;
+            scene.camera.r = 50, scene.camera.theta = M_PI / 2;
+            narrow(scene, M_PI / 3);
+            add(scene, BallSpec{.position = {-100, 3, 1}, .radius = radius});
+            Material& material = scene.bodies.back().material;
+            material.texture = texture, material.rows = 9;
+            material.colour = {1, 1, 1}, material.second_colour = {};
+            REQUIRE(session.renderer->prepare(scene));
+            const Image<float> picture = session.renderer->picture();
+            float sum = 0;
+            for (int y = 0; y < 36; ++y)
+                for (int x = 0; x < 64; ++x) sum += *picture.at(x, y);
+            return sum;
+        };
+        for (const double radius : {1.5, 2.0, 3.0}) {
+            CAPTURE(radius);
+            const float share = light(radius, TextureKind::kStripes) / light(radius, TextureKind::kPlain);
+            CHECK(share > 0.35F);
+            CHECK(share < 0.65F);
+        }
+    });
+}
+
 // The rounding of the camera's distance is far above a body's size: from there all is as from 1e5 r_s, but for what that is nearer. Moving
 // bodies are looked at when light of the same time arrives.
 TEST_CASE("bodies: from far away hits and places are those from nearer" * test::costly()) {
