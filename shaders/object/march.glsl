@@ -58,6 +58,7 @@ float march_cover(float depth, float thickness) {
 #define MARCH_THINNEST 32.0  // shortest steps: the thinnest body
 #define MARCH_OWN_EDGES 1.5
 #define MARCH_PROBE 4.0      // shortest steps
+#define MARCH_ROUNDING 4.8e-7   // of r: what a second difference of distances may be by rounding alone
 
 // What the search on a span asks for next.
 #define SPAN_FIRST 0         // the golden section's two inner places
@@ -241,9 +242,9 @@ MarchContact span_contact(SpanSearch search, MarchWay way, MarchSpan span, float
     contact.place = place;
     float slope = 0.5 * (search.value_before - search.value_behind);
     float bend = search.value_before + search.value_behind - 2.0 * search.value_there;
-    float depth = bend > 1.0e-4 * abs(slope) ? 0.5 * slope * slope / bend : 1.0e30;
     // Values of several bodies have several units: what is beside all of them is so by its distance.
     vec2 nearest = march_nearest(place, search.value_there);
+    float depth = bend > max(1.0e-4 * abs(slope), MARCH_ROUNDING * place.r * nearest.y) ? 0.5 * slope * slope / bend : 1.0e30;
     depth = contact.enters ? depth / nearest.y : -nearest.x;
     float pixel = max(way_pixel(way, place, contact.at), 1.0e-20);
     float cover = march_cover(depth / pixel, MARCH_THINNEST * frame.march.y / pixel);

@@ -44,6 +44,7 @@ TEST_CASE("thin bodies: as much light as the reference's" * test::costly()) {
         {"ball of six pixels", ball_about("schwarzschild")},
         {"ball of six pixels, rotating hole", ball_about("kerr")},
         {"torus of four pixels, flat", thin_about("minkowski").surface("(length(x, y) - 6)^2 + z^2 - 1", 8)},
+        {"ring as thin as places are rounded, flat", ring_about("minkowski", 5e-5).place(30, 1.0)},
     };
     std::map<std::string, double> exact_light;
     on_every_context([&](GpuSession& session) {
