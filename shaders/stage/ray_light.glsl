@@ -28,7 +28,7 @@
 #include "shared/frame.glsl"
 #include "stage/layer.glsl"
 
-#define SIGHT_LEAST 0.002   // of the light behind: less is not looked for
+#define SIGHT_LEAST 2.0e-7   // of the light behind: less is not looked for; an opaque cover leaves as much by rounding
 
 // What is seen so far.
 struct RaySight {

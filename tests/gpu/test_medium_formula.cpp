@@ -264,3 +264,15 @@ TEST_CASE("medium: pixels with more rays about a rotating hole end within what a
         fmt::print("medium, pixels with more rays: at least {:.3f} of one ray's light\n", least);
     });
 }
+
+TEST_CASE("disc: a bright sky behind one that hides nearly all") {
+    on_every_context([&](GpuSession& session) {
+        Scene scene = bare_scene("schwarzschild", 0);
+        scene.camera.r = 30, scene.camera.theta = 0.5, scene.camera.width = scene.camera.height = 4;
+        scene.camera.yaw = 0.26, scene.camera.plane_width = 0.02;
+        scene.sky.material.colour = {1, 1, 1}, scene.sky.brightness = 1000;
+        DiscSpec& disc = scene.disc.emplace();
+        disc.material.texture = TextureKind::kPlain, disc.opacity = 0.999, disc.brightness = 1e-3;
+        CHECK(std::abs(sum_of(picture_of(session, scene)) / sum_of(reference_picture(scene)) - 1) < 0.01);
+    });
+}
