@@ -8,7 +8,6 @@
 #define MEDIUM_MOST_SPANS 1024
 #define MEDIUM_SAMPLES 4      // of a span
 #define MEDIUM_SHORTEST 0.015625   // of a span, a sample whose length follows the matter
-#define MEDIUM_LEAST 1.0e-4   // what of the light behind comes through where nothing more is looked for
 #define MEDIUM_LONGEST 0.5    // of a ray's step, or rad
 #define MEDIUM_FARTHEST 0.99  // of r, in one jump
 
@@ -75,6 +74,9 @@ MediumSum medium_add(MediumSum sum, MediumLight found, float way, float along) {
     sum.through *= dims;
     return sum;
 }
+
+// At the end of a march, which stops where nearly nothing comes through.
+float medium_rest(float through) { return through > frame.medium_colour.w ? through : 0.0; }
 
 // How far to go on where matter is `free` away at least, and was `before` a jump of `length` ago: along rays that run beside it farther than
 // `free`, as long as they are nearly straight. From far away in several jumps: one would end as exactly as its length is rounded.
@@ -153,7 +155,7 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
         sum = medium_add(sum, found, there ? way : 0.0, along);
         sum.step = there ? found.step * frame.medium_bound.z * (2.0 - sum.through) : sum.step;
 #ifdef MEDIUM_OWN_STEPS
-        first = sum.through > MEDIUM_LEAST ? first : 1.0;
+        first = sum.through > frame.medium_colour.w ? first : 1.0;
 #endif
     } while (first < 1.0 - 0.5 * MEDIUM_SHORTEST);
     return sum;

@@ -169,7 +169,7 @@ MediumWalk medium_through(MediumWalk walk, MediumSpan span, float last) {
 MediumWalk medium_in_step(MediumWalk walk, MediumSpan span, float last) {
     walk.place = medium_place(walk.ray, walk.segment, walk.part);
     do walk = medium_through(medium_on(walk, last), span, last);
-    while (walk.part < last && walk.going && walk.sum.through > MEDIUM_LEAST && walk.spans > 0);
+    while (walk.part < last && walk.going && walk.sum.through > frame.medium_colour.w && walk.spans > 0);
     return walk;
 }
 
@@ -189,6 +189,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
         float last = min((until - walk.begun) / max(walk.segment.h, 1.0e-20), 1.0);
         if (walk.part < last) walk = medium_in_step(walk, span, last);
         walk.going = walk.going && walk.spans > 0 && !(walk.ends && walk.part >= 1.0);
-    } while (walk.going && walk.sum.through > MEDIUM_LEAST && walk.begun + walk.part * walk.segment.h < until * (1.0 - 1.0e-6));
+    } while (walk.going && walk.sum.through > frame.medium_colour.w && walk.begun + walk.part * walk.segment.h < until * (1.0 - 1.0e-6));
+    walk.sum.through = medium_rest(walk.sum.through);
     return walk;
 }

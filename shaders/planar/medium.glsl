@@ -87,6 +87,7 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
     float rate = medium_rate(trace);
     walk.place = medium_at(trace, walk.tangent, walk.along);
     do walk = medium_through(medium_on(walk, trace, last), trace, span, rate, last);
-    while (walk.along < last && walk.sum.through > MEDIUM_LEAST && walk.spans > 0);
+    while (walk.along < last && walk.sum.through > frame.medium_colour.w && walk.spans > 0);
+    walk.sum.through = medium_rest(walk.sum.through);
     return walk;
 }

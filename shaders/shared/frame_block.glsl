@@ -132,7 +132,7 @@ struct FrameData {
     vec4 medium_hole;    // a, radii of the outer and of the inner horizon; the radius within which no matter is looked for
     vec4 medium_bound;   // radius beyond which there is none; of its march: least step, steps over what is enough; exposure by which
                          //   edges are found (effect/edge.glsl) where the picture is a flux, else 0
-    vec4 medium_colour;  // factor on its light, 0
+    vec4 medium_colour;  // factor on its light; what of the light behind comes through it where no more is looked for
     vec4 medium_law_0;   // of its emission law, by the names of kLawNumbers (src/plan/medium_model.h)
     vec4 medium_law_1;
     vec4 medium_law_2;

@@ -26,6 +26,18 @@ double edge_exposure(const Scene& scene, const MediumSpec& medium) {
     return medium.by_frequency() && alone && light > 0 ? kFluxExposure / light : 0.0;
 }
 
+// What of the light behind comes through where no more is looked for, of what is as bright as the matter; less of what is brighter. Samples
+// of gas cost most.
+double least_through(const Scene& scene, const MediumModel& model) {
+    constexpr double kLeast = 1e-6, kLeastOfGas = 1e-4, kNone = 1e-20;
+    double behind = scene.sky.kind == SkyKind::kBlack ? 0.0 : scene.sky.brightness;
+    if (scene.disc) behind = std::max(behind, scene.disc->brightness);
+    for (const SpotSpec& spot : scene.spots) behind = std::max(behind, spot.brightness);
+    for (const Body& body : scene.bodies) behind = std::max(behind, body.material.brightness);
+    const double share = std::min(1.0, scene.medium->brightness / std::max(behind, kNone));
+    return std::max(share * (model.traits.own_steps ? kLeastOfGas : kLeast), kNone);
+}
+
 }  // namespace
 
 void put_medium(FrameData& frame, const FramePlan& plan, const MediumGrid* grid) {
@@ -42,7 +54,7 @@ void put_medium(FrameData& frame, const FramePlan& plan, const MediumGrid* grid)
     const double beyond = ends_sharply ? 2.0 * medium->step * medium->outer / medium->steps : 0.0;
     frame.medium_bound = {farthest + beyond, least, medium->step, edge_exposure(plan.scene, *medium)};
     const LawNumbers law = law_numbers(plan);
-    frame.medium_colour = {law.light * medium->colour, 0};
+    frame.medium_colour = {law.light * medium->colour, least_through(plan.scene, model)};
     put_in_order<3>({&frame.medium_law_0, &frame.medium_law_1, &frame.medium_law_2}, law.values);
     put_in_order<4>({&frame.medium_form_0, &frame.medium_form_1, &frame.medium_form_2, &frame.medium_form_3},
                     model.values({plan, grid}));

@@ -265,6 +265,21 @@ TEST_CASE("medium: pixels with more rays about a rotating hole end within what a
     });
 }
 
+TEST_CASE("medium: what shines through thick matter and a dense disc, however bright it is behind") {
+    constexpr double kSame = 0.01;
+    on_every_context([&](GpuSession& session) {
+        Scene scene = formula_scene("minkowski", 0, MediumEmission::kBlackBody);
+        scene.camera.width = scene.camera.height = 5, scene.camera.plane_width = 0.01;  // within the ball
+        scene.medium->formulas.temperature = "700", scene.medium->outer = 2;
+        scene.bodies.push_back({SphereSpec{1}});
+        scene.bodies.back().material.colour = {1, 1, 1}, scene.bodies.back().material.brightness = 1e6;
+        scene.medium->opacity = 11;
+        CHECK(std::abs(picture_of(session, scene).at(2, 2)[0] / (1e6 * std::exp(-11.0)) - 1) < kSame);
+        scene.medium->opacity = 50;
+        CHECK(picture_of(session, scene).at(2, 2)[0] < 1e-6);
+    });
+}
+
 TEST_CASE("disc: a bright sky behind one that hides nearly all") {
     on_every_context([&](GpuSession& session) {
         Scene scene = bare_scene("schwarzschild", 0);
