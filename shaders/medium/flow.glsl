@@ -8,6 +8,8 @@
 
 #define FLOW_SCALES 6.0     // of density, above the plane: exp(-18)
 #define FLOW_STEP 0.25      // of such a scale
+#define FLOW_FLAT 0.25       // rays that change their polar angle less than this by r have longer samples across the plane
+#define FLOW_FLATTEST 0.025  // and no longer ones below this
 #define FLOW_INWARD 0.1     // of r
 
 MediumMatter medium_matter(MediumPlace place) {
@@ -16,7 +18,9 @@ MediumMatter medium_matter(MediumPlace place) {
     float x = place.r * FLOW_SCALE;
     float height = FLOW_FLATTENING * place.cosine;
     float thick = place.r / max(FLOW_FLATTENING, 1.0);
-    float across = FLOW_FLATTENING > 0.0 ? FLOW_STEP * thick : 1.0e6;
+    vec3 way = place.way * inversesqrt(max(dot(place.way, place.way), 1.0e-24));
+    float turning = abs(way.z - place.cosine * dot(way, place.at) / place.r);
+    float across = FLOW_FLATTENING > 0.0 ? FLOW_STEP * thick * max(FLOW_FLAT / max(turning, FLOW_FLATTEST), 1.0) : 1.0e6;
     MediumMatter matter = medium_nothing_there(min(min(FLOW_STEP / FLOW_SCALE, FLOW_INWARD * place.r), min(across, medium_to_horizon(place))));
     matter.density = FLOW_DENSITY * exp(-0.5 * (x * x + height * height));
     return medium_with_momentum(place, medium_warm(place, matter), l);

@@ -5,7 +5,7 @@
 #include "medium/place.glsl"
 #include "shared/frame.glsl"
 
-#define MEDIUM_MOST_SPANS 1024
+#define MEDIUM_MOST_SPANS 8192   // src/plan/medium.cpp
 #define MEDIUM_SAMPLES 4      // of a span
 #define MEDIUM_SHORTEST 0.015625   // of a span, a sample whose length follows the matter
 #define MEDIUM_LONGEST 0.5    // of a ray's step, or rad

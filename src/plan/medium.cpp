@@ -26,6 +26,16 @@ std::optional<MediumHole> medium_hole(const Spacetime& spacetime) {
     return MediumHole{0, roots->outer, roots->inner};
 }
 
+double spans_to_horizon() {
+    constexpr double kSamples = 0.1;  // of the distance to the horizon, which begins to count at that radius
+    return 0.25 * std::log(1.0 / kMediumAboveHorizon) / kSamples;
+}
+
+double medium_spans(const Spacetime& spacetime, const MediumSpec& medium) {
+    const auto hole = medium_hole(spacetime);
+    return model_of(medium).spans(medium, hole ? hole->outer : 0.0) / medium.step;
+}
+
 std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& scene) {
     std::vector<SceneFault> faults;
     if (!scene.medium) return faults;
@@ -47,6 +57,11 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
     if (medium.kind != MediumKind::kGrid && medium.field_direction == FieldDirection::kFile)
         faults.push_back({"medium.field_direction", "no file gives this field", "file where kind = \"grid\""});
     if (model.faults != nullptr) model.faults(spacetime, scene, faults);
+    // The march takes 8192 (shaders/medium/march.glsl), some of them on its way to the matter.
+    constexpr double kMostSpans = 8000;
+    if (const double spans = medium_spans(spacetime, medium); faults.empty() && spans > kMostSpans)
+        faults.push_back({"medium.step", fmt::format("{}: a ray takes {:.0f} spans of samples", medium.step, spans),
+                          fmt::format("at least {:.2g}, here", 1.05 * medium.step * spans / kMostSpans)});
     if (medium.by_frequency() && !scene.object.mass())
         faults.push_back({"object.mass_suns", "missing, but there is a [medium] seen at one frequency",
                           "the mass, which sets lengths in centimetres, or object.name", "medium.kind"});

@@ -23,6 +23,9 @@ std::optional<MediumHole> medium_hole(const Spacetime& spacetime);
 std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& scene);
 Status check_medium(const Spacetime& spacetime, const Scene& scene);  // the first of them
 
+// Spans of four samples that a ray's march takes at most.
+double medium_spans(const Spacetime& spacetime, const MediumSpec& medium);
+
 // Of a medium that is a file's grid: what the file says of its hole and the scene's spacetime does not have, a line for people. Empty: nothing.
 std::string medium_note(const Spacetime& spacetime, const Scene& scene);
 

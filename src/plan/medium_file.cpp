@@ -86,6 +86,7 @@ const MediumModel kFileModel{
     .words = [](const MediumSpec& m) { return fmt::format("of file \"{}\"", m.grid.file.filename().string()); },
     .farthest = [](const MediumSpec& m) { return m.outer; },
     .least_step = nullptr,
+    .spans = sphere_spans,
     .moves = nullptr,
     .faults = grid_faults,
     .numbers =

@@ -1,6 +1,9 @@
 // A hot flow about the hole (Gold et al. 2020).
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "plan/medium.h"
 #include "plan/medium_model.h"
 
@@ -26,6 +29,18 @@ std::vector<SceneKey> flow_keys() {
     };
 }
 
+// Along the plane, in and out and round the hole, in samples of flow.glsl; and across its scales, here and there.
+double flow_spans(const MediumSpec& m, double horizon) {
+    constexpr double kInward = 0.1, kStep = 0.25, kLonger = 10.0;
+    constexpr double kCrossings = 4.0;
+    constexpr double kNearest = 1e-4;  // of the radius: rays that come nearer are thinner than a pixel
+    const double farthest = kFlowScales * m.flow.radius, from = std::max(horizon, kNearest * m.flow.radius);
+    const double sample = std::min(kInward, kLonger * kStep / std::max(m.flow.flattening, 1.0));
+    const double in_and_out = 2.0 * std::max(std::log(farthest / from), 0.0);
+    return 0.25 * ((in_and_out + kTurned) / sample + 2.0 * kFlowScales / kStep * (1.0 + kCrossings)) +
+           (horizon > 0.0 ? spans_to_horizon() : 0.0);
+}
+
 }  // namespace
 
 const MediumModel kFlowModel{
@@ -48,6 +63,7 @@ const MediumModel kFlowModel{
         },
     .farthest = [](const MediumSpec& m) { return kFlowScales * m.flow.radius; },
     .least_step = nullptr,
+    .spans = flow_spans,
     .moves = nullptr,
     .faults = nullptr,
     .numbers = "FLOW_SCALE FLOW_FLATTENING FLOW_MOMENTUM FLOW_DENSITY FLOW_FARTHEST",

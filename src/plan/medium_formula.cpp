@@ -83,6 +83,7 @@ const MediumModel kFormulaModel{
     .words = [](const MediumSpec& m) { return fmt::format("of density {}", m.formulas.density); },
     .farthest = [](const MediumSpec& m) { return m.outer; },
     .least_step = nullptr,
+    .spans = sphere_spans,
     .moves = formula_moves,
     .faults = nullptr,
     .numbers = kSphereNumbers,

@@ -55,6 +55,14 @@ void gas_faults(const Spacetime& spacetime, const Scene& scene, std::vector<Scen
                           "a radius outside the photon sphere"});
 }
 
+// Along the plane, in and out and round the hole: samples of a scale height, or shorter where it changes along the radius.
+double gas_spans(const MediumSpec& m, double) {
+    constexpr double kAcross = 0.2, kTrail = 0.128;  // SOFT_ACROSS and SOFT_RIM, SOFT_TRAIL of shaders/medium/gas.glsl
+    const double across = kAcross * std::min(1.0, m.edge), trail = kTrail / std::max(m.gas.clumps.winding, 1e-3);
+    const double sample = std::min({m.gas.thickness, across, trail});
+    return 0.25 * (2.0 * std::log(m.outer / m.inner) / sample + kTurned / m.gas.thickness);
+}
+
 // In the plane, times the radius.
 double opacity_in_plane(const MediumSpec& m) { return m.gas.optical_depth / (std::sqrt(2.0 * M_PI) * m.gas.thickness); }
 
@@ -96,6 +104,7 @@ const MediumModel kGasModel{
             constexpr double kLeastOfHeight = 0.1;  // of a disc's scale height at its inner rim
             return kLeastOfHeight * m.gas.thickness * m.inner;
         },
+    .spans = gas_spans,
     .moves = [](const MediumSpec& m) { return m.gas.flow != DiscFlowKind::kStill ? "medium.flow" : nullptr; },
     .faults = gas_faults,
     .numbers =

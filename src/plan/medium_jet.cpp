@@ -39,6 +39,11 @@ ConeSteps cone_steps(const MediumSpec& m) {
     return {length, rim, kAcross * std::sin(m.jet.opening), std::min(kAlong, kAcross * rim)};
 }
 
+double jet_spans(const MediumSpec& m, double) {
+    const ConeSteps steps = cone_steps(m);
+    return 0.25 * steps.length / std::min(steps.across, steps.along);
+}
+
 void jet_faults(const Spacetime& spacetime, const Scene& scene, std::vector<SceneFault>& faults) {
     const auto hole = medium_hole(spacetime);
     if (hole && scene.medium->inner <= hole->outer)
@@ -48,13 +53,11 @@ void jet_faults(const Spacetime& spacetime, const Scene& scene, std::vector<Scen
     if (m.density_scale * std::pow(m.outer / m.inner, -m.jet.falloff) > MediumGrid::kDensest)
         faults.push_back({"medium.falloff", fmt::format("{} makes the far end too dense", m.jet.falloff),
                           fmt::format("densities of at most {:g} at medium.outer", MediumGrid::kDensest)});
-    constexpr double kMostSpans = 900;  // of four samples; the march takes 1024
-    const ConeSteps steps = cone_steps(m);
-    const double span = 4 * m.step * std::min(steps.across, steps.along);
-    if (steps.length > kMostSpans * span)
+    constexpr double kMostSpans = 900;
+    if (jet_spans(m, 0.0) > kMostSpans * m.step)
         faults.push_back(
             {"medium.opening",
-             fmt::format("light along so long and narrow a jet takes {:.0f} spans", steps.length / span),
+             fmt::format("light along so long and narrow a jet takes {:.0f} spans", jet_spans(m, 0.0) / m.step),
              fmt::format("at most {}: by a wider or shorter jet, a wider edge or a larger step", kMostSpans)});
 }
 
@@ -93,6 +96,7 @@ const MediumModel kJetModel{
     .words = [](const MediumSpec& m) { return fmt::format("from {} to {}, a jet", m.inner, m.outer); },
     .farthest = [](const MediumSpec& m) { return m.outer; },
     .least_step = [](const MediumSpec& m) { return kLeastConeStep * std::sin(m.jet.opening) * m.inner; },
+    .spans = jet_spans,
     .moves = nullptr,
     .faults = jet_faults,
     .numbers =

@@ -2,6 +2,7 @@
 // medium_formula.cpp, medium_file.cpp, medium_jet.cpp); CONTRIBUTING.md has the recipe. What of it runs on the GPU is shaders/medium/WORD.glsl.
 #pragma once
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,11 +49,12 @@ struct MediumModel {
     EffectRow effect;
     unsigned shares;
     MediumTraits traits;
-    std::vector<SceneKey> (*keys)();          // its own
-    std::string (*words)(const MediumSpec&);  // of a plan: "density exp(-r)"
-    double (*farthest)(const MediumSpec&);    // radius beyond which there is none, r_s
-    double (*least_step)(const MediumSpec&);  // of the march, r_s; nullptr: kLeastStep of that radius
-    const char* (*moves)(const MediumSpec&);  // the key by which it changes with time; nullptr: it does not
+    std::vector<SceneKey> (*keys)();                     // its own
+    std::string (*words)(const MediumSpec&);             // of a plan: "density exp(-r)"
+    double (*farthest)(const MediumSpec&);               // radius beyond which there is none, r_s
+    double (*least_step)(const MediumSpec&);             // of the march, r_s; nullptr: kLeastStep of that radius
+    double (*spans)(const MediumSpec&, double horizon);  // of four samples at most that a ray takes, at medium.step 1
+    const char* (*moves)(const MediumSpec&);             // the key by which it changes with time; nullptr: it does not
     void (*faults)(const Spacetime&, const Scene&, std::vector<SceneFault>&);  // nullptr: none
     std::string_view numbers;  // that its file knows by these names, 16 at most, and their values
     std::vector<double> (*values)(const MediumFrame&);
@@ -61,6 +63,8 @@ struct MediumModel {
         nullptr;  // of a black body, for each r_s where the density is 1; nullptr: the key's
 };
 inline constexpr double kLeastStep = 1e-6;
+inline constexpr double kTurned = 2.0 * M_PI;  // rays that wind further about a hole are thinner than a pixel
+double spans_to_horizon();                     // of samples that shorten before it (shaders/medium/place.glsl)
 
 extern const MediumModel kGasModel, kFlowModel, kFormulaModel, kFileModel, kJetModel;
 inline std::array<const MediumModel*, kMediumKinds> medium_models() {  // by MediumKind
@@ -90,6 +94,11 @@ inline constexpr std::string_view kSphereNumbers = "SPHERE_RADIUS SPHERE_HEIGHT 
 inline std::vector<double> sphere_values(const MediumFrame& f) {
     const MediumSpec& m = f.medium();
     return {m.outer, m.height, 2.0 * m.outer / m.steps};
+}
+inline double sphere_spans(const MediumSpec& m, double horizon) {
+    const double across =
+        1.0 + kTurned * horizon / m.outer;  // a chord, and round the hole at twice the horizon's radius
+    return 0.25 * m.steps * across + (horizon > 0.0 ? spans_to_horizon() : 0.0);
 }
 
 // Keys by which matter changes with time: whether a formula asks for t, and that of kWarmth.

@@ -6,6 +6,7 @@
 #include <bit>
 #include <utility>
 
+#include "plan/medium.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
 #include "shaderlib/flat_frame.h"
@@ -16,8 +17,9 @@ namespace nullscope {
 namespace {
 
 constexpr int kRaysAtOnce = 16;  // that every pixel traces in one draw
-// Where each may go through matter in 1024 spans of some six rounds: llvmpipe ends a shader after 65535 rounds of all its loops, in silence.
+// Where each goes through matter in spans of some six rounds: llvmpipe ends a shader after 65535 rounds of all its loops, in silence.
 constexpr int kRaysAtOnceInMatter = 4;
+constexpr double kSpansOfMany = 1024;  // of a ray; of longer ones one at once
 constexpr int kTileUnit = FrameInputs::kFreeUnit;
 // Passes that work on the picture sample none of the scene's tables: they share their units.
 constexpr int kSourceUnit = FrameInputs::unit_of("strip_texture"), kHaloUnit = FrameInputs::unit_of("orbit_texture"),
@@ -174,7 +176,9 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
 template <class Draw>
 void Renderer::draw_samples(int samples, int at_once, Draw draw) {
     const int rays = samples * samples;
-    if (tables_.plan().scene.medium) at_once = std::min(at_once, kRaysAtOnceInMatter);
+    const FramePlan& plan = tables_.plan();
+    if (const auto& medium = plan.scene.medium)
+        at_once = std::min(at_once, medium_spans(*plan.matter, *medium) < kSpansOfMany ? kRaysAtOnceInMatter : 1);
     for (int first = 0; first < rays; first += at_once) {
         const int count = std::min(at_once, rays - first);
         blocks_.upload_samples(samples, first, count);

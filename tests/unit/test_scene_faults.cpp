@@ -118,6 +118,8 @@ const Broken kBroken[] = {
      "at most 1e+30 at medium.outer"},
     {"[medium]\nkind = \"jet\"\nopening = 90", 3, "medium.opening", "allowed: [0.5, 80]"},
     {"[medium]\nkind = \"jet\"\nlorentz = nan", 3, "medium.lorentz", "allowed: [1, 1000]"},
+    {"[object]\nname = \"m87\"\n[medium]\nkind = \"flow\"\nflattening = 1000\nstep = 0.05", 6, "medium.step",
+     "allowed: at least"},
     {"[medium]\nkind = \"gas\"\nlorentz = 2", 3, "medium.lorentz", "kind = \"jet\""},
     {"[camera]\nwarp = \"none.data\"", 2, "camera.warp", "there is no file"},
     {"[camera]\nwarp = \"broken/warp-short.data\"\n[zoom]", 2, "camera.warp", "cannot be combined with [zoom]"},
