@@ -33,7 +33,8 @@ double spans_to_horizon() {
 
 double medium_spans(const Spacetime& spacetime, const MediumSpec& medium) {
     const auto hole = medium_hole(spacetime);
-    return model_of(medium).spans(medium, hole ? hole->outer : 0.0) / medium.step;
+    const auto spans = model_of(medium).spans;
+    return spans != nullptr ? spans(medium, hole ? hole->outer : 0.0) / medium.step : 0.0;
 }
 
 std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& scene) {
