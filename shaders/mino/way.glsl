@@ -18,5 +18,6 @@ vec2 way_ask(MarchWay way, RayPlace place) {
 float way_value(MarchWay way, RayPlace place) { return way_ask(way, place).x; }
 // As if light went straight.
 float way_pixel(MarchWay way, RayPlace place, float s) { return way.pixel_angle * way.length; }
+float way_pixel_least(MarchWay way, RayPlace place, float s) { return way_pixel(way, place, s); }
 // How far there is a way before and after: steps are polynomials.
 float way_left(MarchWay way, float s) { return 0.5; }

@@ -1,15 +1,18 @@
 // Solid bodies anywhere: along the ray in steps no longer than the distance to the nearest of them, then between two places
 // on either side of its surface. march_ask (written for the scene): a value, below 0 inside of a body, and the room, how far along the ray the
-// nearest is at least; march_nearest: of the body that is nearest, its distance and by how much more its value changes; march_object: which one; march_clear: how
+// nearest is at least; march_nearest: of the body that is nearest, its distance and by how much more its value changes; march_object: which one;
+// march_round: the radius of the thinnest if all are round and of one size, or none; march_clear: how
 // far the nearest is from a place, at least, of those that are not in a set, to which those nearer than `near` are added.
 // march_list: of lists of bodies, those that a part of the way may touch; the others of a list are not asked there.
 //
 // A body that the ray only grazes lies between two steps: where three values fall and rise again, the least between them is
 // looked for too, if march_grazes says that a body may be met there or cover a part of the pixel.
 //
-// MarchWay, way_place, way_value and way_pixel: the way that is marched along by a growing number (planar/march.glsl: the swept angle of an
-// orbit; mino/march.glsl: the fraction of a step about a rotating hole), the place there, the value, and how wide a pixel is.
+// MarchWay, way_place, way_value, way_pixel and way_pixel_least: the way that is marched along by a growing number (planar/march.glsl: the
+// swept angle of an orbit; mino/march.glsl: the fraction of a step about a rotating hole), the place there, the value, and how wide a pixel
+// is, on the mean and on its shorter side.
 #include "generated/bodies_march"
+#include "object/round.glsl"
 #include "path/place"
 #include "path/way"
 #include "shared/frame.glsl"
@@ -53,6 +56,12 @@ struct MarchContact {
 // body's. Where a ray would come deeper than that the body is flat.
 float march_cover(float depth, float thickness) {
     return depth > thickness ? 1.0 : clamp(0.5 + depth, 0.0, min(thickness, 1.0));
+}
+
+// Of a round body. Next to where the ray enters it its distance is a parabola, that of the ray from the middle has the square
+// r^2/(1 + 2 depth/r).
+float march_round_cover(float radius, float depth) {
+    return round_cover(radius, depth > 0.0 ? radius * inversesqrt(1.0 + 2.0 * depth / radius) : radius - depth);
 }
 
 #define MARCH_THINNEST 32.0  // shortest steps: the thinnest body
@@ -247,7 +256,10 @@ MarchContact span_contact(SpanSearch search, MarchWay way, MarchSpan span, float
     float depth = bend > max(1.0e-4 * abs(slope), MARCH_ROUNDING * place.r * nearest.y) ? 0.5 * slope * slope / bend : 1.0e30;
     depth = contact.enters ? depth / nearest.y : -nearest.x;
     float pixel = max(way_pixel(way, place, contact.at), 1.0e-20);
-    float cover = march_cover(depth / pixel, MARCH_THINNEST * frame.march.y / pixel);
+    float thickness = MARCH_THINNEST * frame.march.y / pixel;
+    float cover = march_cover(depth / pixel, thickness);
+    // Not in an arc next to a critical curve, where it is narrow one way only.
+    if (march_round(thickness) * pixel < way_pixel_least(way, place, contact.at)) cover = march_round_cover(march_round(thickness), depth / pixel);
     // Next to where what is seen ends (object/unseen.glsl), pixels are wide, and a body's depth is not its own.
     bool own = place.r > MARCH_OWN_EDGES * frame.march_shell.w;
     if (contact.enters) contact.covered = blur > 0.0 && own ? cover : 1.0;

@@ -201,12 +201,17 @@ float place_part(RayPlace place, float length) {
 #endif
 }
 
-// How wide a pixel is there, r_s: the mean of its side along the ray's plane and of its side across it, seen across the ray.
-float place_pixel(Trace trace, RayPlace place, float phi) {
-    float speed = place_speed(place);
-    float along = abs(place.r_across) * place.r / max(speed, 1.0e-20);
+// How wide a pixel is there, r_s: its side along the ray's plane, seen across the ray, and its side across it.
+vec2 place_pixel_sides(Trace trace, RayPlace place, float phi) {
+    float along = abs(place.r_across) * place.r / max(place_speed(place), 1.0e-20);
     float across = place.r * abs(sin(phi)) / trace_sine(trace);
-    return 0.5 * trace.pixel_angle * (along + across);
+    return trace.pixel_angle * vec2(along, across);
+}
+
+// The mean of the two.
+float place_pixel(Trace trace, RayPlace place, float phi) {
+    vec2 sides = place_pixel_sides(trace, place, phi);
+    return 0.5 * (sides.x + sides.y);
 }
 
 #define PLACE_NEAREST 1.0e-6   // as TRACE_NEAREST: closer to the radial direction the cross product is all rounding

@@ -6,6 +6,7 @@
 // zeta the orbit is concave (zeta'' = -V'/2 < 0), so Newton's steps from the camera never overshoot; beyond it a bracket holds them.
 #include "planar/place.glsl"
 #include "object/solid_hit.glsl"
+#include "object/round.glsl"
 #include "object/sphere.glsl"
 #include "shared/objects.glsl"
 
@@ -17,6 +18,8 @@ float sphere_cover(int i, Trace trace, float blur) {
     if (sine < 0.0) {   // the silhouette is the critical ray itself
         return trace.escapes ? 0.0 : 1.0;
     }
+    if (blur > 0.0 && sine < trace.pixel_angle && body_form(i).w < 0.0)   // narrower than a pixel
+        return trace.c < 0.0 ? round_cover(sine / trace.pixel_angle, trace.s / trace.pixel_angle) : 0.0;
     if (!trace.escapes) return 1.0;
     float inside = (trace.s * body_form(i).w - trace.c * sine) / trace.pixel_angle;   // sine of the angle beyond the silhouette's
     return blur > 0.0 ? clamp(0.5 + inside / blur, 0.0, 1.0) : (inside > 0.0 ? 1.0 : 0.0);

@@ -26,5 +26,10 @@ RayPlace way_place(MarchWay way, float phi) {
 }
 float way_value(MarchWay way, RayPlace place) { return march_ask(place).x; }
 float way_pixel(MarchWay way, RayPlace place, float phi) { return place_pixel(way.trace, place, phi); }
+// Its shorter side.
+float way_pixel_least(MarchWay way, RayPlace place, float phi) {
+    vec2 sides = place_pixel_sides(way.trace, place, phi);
+    return min(sides.x, sides.y);
+}
 // How far there is a way before and after.
 float way_left(MarchWay way, float phi) { return 0.5 * min(phi, way.trace.phi_end - phi); }

@@ -121,14 +121,17 @@ void put_march(FrameData& frame, const FramePlan& plan, const BallPaths& paths) 
         height = std::max(height, std::min(extent.height, extent.to));
         thinnest = std::min(thinnest, extent.thinnest);
     }
-    const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kMarchStep * thinnest; };
-    const double least = 0.999 * least_radius;
-    frame.march = {with_margin(reaches[0]), kMarchStep * thinnest, with_margin(reaches[1]), fastest};
     // A body beside a ray covers a part of its pixel from two pixels off.
     const CameraSpec& camera = plan.scene.camera;
-    const double beside = 2.0 * camera.pixel() * (std::fabs(camera.r) + reaches[0]);
+    const auto beside = [&](double reach) { return 2.0 * camera.pixel() * (std::fabs(camera.r) + reach); };
+    const auto with_margin = [&](double reach) { return 1.001 * reach + 4 * kMarchStep * thinnest; };
+    const auto reach = [&](bool far) {
+        return with_margin(reaches[far]) + (reaches[far] > 0.0 ? beside(reaches[far]) : 0.0);
+    };
+    const double least = 0.999 * least_radius;
+    frame.march = {reach(false), kMarchStep * thinnest, reach(true), fastest};
     const double unseen = unseen_radius(plan.scene, spacetime.horizon_radius());
-    frame.march_shell = {with_margin(height) + beside, std::max(least - beside, 0.0),
+    frame.march_shell = {with_margin(height) + beside(reaches[0]), std::max(least - beside(reaches[0]), 0.0),
                          spacetime.planar_rays() ? 0.0 : std::min(least, light_orbit(spacetime)),
                          moves && unseen > 0.0 ? unseen : -kNowhere};
 }

@@ -211,6 +211,21 @@ void add_to_lists(ListTexts& lists, const Group& group, const std::string& room,
     lists.near += for_each(group, list_statement(room, "bodies_near"), bound ? "bodies_close" : "bodies_shown");
 }
 
+// Are all that are marched to round, and of one size?
+bool round_alike(const std::vector<Group>& groups, const Scene& scene) {
+    const std::vector<std::size_t> order = shader_bodies(scene);
+    std::set<double> sizes;
+    for (const Group& group : groups)
+        for (std::size_t k = group.from; k < group.to && group.shape.marched; ++k) {
+            const BodyShape& shape = scene.bodies[order[k]].shape;
+            const auto* ball = std::get_if<BallSpec>(&shape);
+            const auto* sphere = std::get_if<SphereSpec>(&shape);
+            if (ball == nullptr && (sphere == nullptr || sphere->amplitude > 0.0)) return false;
+            sizes.insert(ball != nullptr ? ball->radius : sphere->radius);
+        }
+    return sizes.size() == 1;
+}
+
 constexpr int kMostSteps = 512;  // of a march: what many bodies ask for is bounded
 
 std::string march_text(const std::vector<Group>& groups, const Scene& scene, const EffectSet& effects) {
@@ -293,7 +308,8 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
            "bool march_grazes(float length, float value, float pixel) { return " + graze +
            "; }\n"
            "int march_object(RayPlace place) {\n    float value = 1.0e30;\n    int object = 0;\n" +
-           object + "    return object;\n}\n";
+           object + "    return object;\n}\nfloat march_round(float thinnest) { return " +
+           (round_alike(groups, scene) ? "thinnest" : "1.0e30") + "; }\n";
 }
 
 std::string hit_text(const std::vector<Group>& groups) {

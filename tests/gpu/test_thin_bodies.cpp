@@ -70,4 +70,26 @@ TEST_CASE("thin bodies: as much light as the reference's" * test::costly()) {
     });
 }
 
+// One ray a pixel, wherever between the pixels' middles the body is.
+TEST_CASE("thin bodies: a ball and a sphere narrower than a pixel have the light of their size") {
+    constexpr double kDistance = 30, kRadius = 0.2, kWidth = 0.6, kOff = 0.08;
+    constexpr int kPlaces = 12, kPixels = 16;
+    const double radius_px = kRadius / kDistance * kPixels / kWidth, size_px = M_PI * radius_px * radius_px;
+    on_every_context([&](GpuSession& session) {
+        for (const bool sphere : {false, true})
+            for (int k = 0; k < kPlaces; ++k) {
+                CAPTURE(sphere);
+                CAPTURE(k);
+                Draft draft = Draft().metric("minkowski").sky(SkyKind::kBlack).place(kDistance, 1.3);
+                draft.size(kPixels, kPixels).plane(kWidth);
+                Scene scene = sphere ? draft.sphere(kRadius) : draft.ball({0, 0.5, 0}, kRadius);
+                scene.bodies.back().material.colour = {1, 1, 1};
+                scene.camera.yaw += 0.0031 * k, scene.camera.pitch += 0.0083 * k;
+                scene.picture.refine = false;
+                REQUIRE(session.renderer->prepare(scene));
+                CHECK(std::abs(light(session.renderer->picture()) / size_px - 1) <= kOff);
+            }
+    });
+}
+
 }  // namespace
