@@ -1,6 +1,7 @@
 // A soft disc of gas. Keys that other models share are where files have them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "plan/medium.h"

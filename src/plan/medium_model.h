@@ -49,12 +49,13 @@ struct MediumModel {
     EffectRow effect;
     unsigned shares;
     MediumTraits traits;
-    std::vector<SceneKey> (*keys)();                     // its own
-    std::string (*words)(const MediumSpec&);             // of a plan: "density exp(-r)"
-    double (*farthest)(const MediumSpec&);               // radius beyond which there is none, r_s
-    double (*least_step)(const MediumSpec&);             // of the march, r_s; nullptr: kLeastStep of that radius
-    double (*spans)(const MediumSpec&, double horizon);  // of four samples at most that a ray takes, at medium.step 1; nullptr: few
-    const char* (*moves)(const MediumSpec&);             // the key by which it changes with time; nullptr: it does not
+    std::vector<SceneKey> (*keys)();          // its own
+    std::string (*words)(const MediumSpec&);  // of a plan: "density exp(-r)"
+    double (*farthest)(const MediumSpec&);    // radius beyond which there is none, r_s
+    double (*least_step)(const MediumSpec&);  // of the march, r_s; nullptr: kLeastStep of that radius
+    double (*spans)(const MediumSpec&,
+                    double horizon);  // of four samples at most that a ray takes, at medium.step 1; nullptr: few
+    const char* (*moves)(const MediumSpec&);  // the key by which it changes with time; nullptr: it does not
     void (*faults)(const Spacetime&, const Scene&, std::vector<SceneFault>&);  // nullptr: none
     std::string_view numbers;  // that its file knows by these names, 16 at most, and their values
     std::vector<double> (*values)(const MediumFrame&);
