@@ -66,6 +66,7 @@ float march_round_cover(float radius, float depth) {
 
 #define MARCH_THINNEST 32.0  // shortest steps: the thinnest body
 #define MARCH_OWN_EDGES 1.5
+#define MARCH_OWN_PX 2.0     // as far as bodies are looked for beside them (render/body_numbers.cpp)
 #define MARCH_PROBE 4.0      // shortest steps
 #define MARCH_ROUNDING 4.8e-7   // of r: what a second difference of distances may be by rounding alone
 
@@ -261,7 +262,7 @@ MarchContact span_contact(SpanSearch search, MarchWay way, MarchSpan span, float
     // Not in an arc next to a critical curve, where it is narrow one way only.
     if (march_round(thickness) * pixel < way_pixel_least(way, place, contact.at)) cover = march_round_cover(march_round(thickness), depth / pixel);
     // Next to where what is seen ends (object/unseen.glsl), pixels are wide, and a body's depth is not its own.
-    bool own = place.r > MARCH_OWN_EDGES * frame.march_shell.w;
+    bool own = place.r > MARCH_OWN_EDGES * frame.march_shell.w + MARCH_OWN_PX * pixel;
     if (contact.enters) contact.covered = blur > 0.0 && own ? cover : 1.0;
     else if (span.grazes && blur > 0.0) contact.covered = own ? cover : 0.0;
     return contact;
