@@ -28,7 +28,7 @@ struct KeptCrossings {
     float beyond;         // outside of the outer rim
     bool covered;         // by an opaque disc
 #ifdef EFFECT_NARROW_DISC
-    float narrow_disc;        // whether the first is outside of the outer rim, on the way in
+    float narrow_disc;    // whether the first is outside of the outer rim, on the way in
 #endif
 #endif
 };
@@ -72,16 +72,24 @@ int kept_place(KeptCrossings kept, DiscCrossing crossing) {
 }
 
 #ifdef EFFECT_REFINE
+#ifdef EFFECT_NARROW_DISC
+KeptCrossings kept_before(KeptCrossings kept, DiscCrossing crossing, SpinStep at, bool crossed) {
+    bool inward = at.from.v.w + at.to.v.w > 0.0;
+    kept.narrow_disc = crossed && kept.number == 1.0 && inward && crossing.r > frame.disc_y.w ? 1.0 : kept.narrow_disc;
+    return kept;
+}
+float before_way(KeptCrossings kept) { return 4.0 * kept.narrow_disc; }
+#else
+KeptCrossings kept_before(KeptCrossings kept, DiscCrossing crossing, SpinStep at, bool crossed) { return kept; }
+float before_way(KeptCrossings kept) { return 0.0; }
+#endif
+
 KeptCrossings kept_counts(KeptCrossings kept, DiscCrossing crossing, SpinStep at, bool crossed) {
     bool counts = crossed && !kept.covered && crossing.number > frame.disc_surface.w;
     kept.within += counts && crossing.r < frame.disc_x.w ? 1.0 : 0.0;
     kept.beyond += counts && crossing.r > frame.disc_y.w ? 1.0 : 0.0;
-#ifdef EFFECT_NARROW_DISC
-    bool inward = at.from.v.w + at.to.v.w > 0.0;
-    kept.narrow_disc = crossed && kept.number == 1.0 && inward && crossing.r > frame.disc_y.w ? 1.0 : kept.narrow_disc;
-#endif
     kept.covered = kept.covered || (counts && within_disc(crossing.r) && frame.disc_surface.x >= 1.0 && frame.disc_surface.y == 0.0);
-    return kept;
+    return kept_before(kept, crossing, at, crossed);
 }
 #else
 KeptCrossings kept_counts(KeptCrossings kept, DiscCrossing crossing, SpinStep at, bool crossed) { return kept; }
@@ -134,13 +142,8 @@ KeptCrossings kept_footprints(KeptCrossings kept, float pixel_angle) {
 #endif
 
 #ifdef EFFECT_REFINE
-#ifdef EFFECT_NARROW_DISC
-float kept_before(KeptCrossings kept) { return 4.0 * kept.narrow_disc; }
-#else
-float kept_before(KeptCrossings kept) { return 0.0; }
-#endif
 float kept_way(KeptCrossings kept, bool escapes) {
-    return kept.covered ? 0.0 : spin_way(escapes, kept.within, kept.beyond) + kept_before(kept);
+    return kept.covered ? 0.0 : spin_way(escapes, kept.within, kept.beyond) + before_way(kept);
 }
 #endif
 #else

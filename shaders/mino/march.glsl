@@ -7,7 +7,6 @@
 #include "shared/frame.glsl"
 
 #define MARCH_LONGEST 0.5    // of a step; a dip between two steps is looked for on the second's polynomials, as far before its start
-
 #define MARCH_BELOW 0.9      // of the way out to the least radius of a body
 
 // How far to the next sample, as a part of the step: within the least radius of a body only the way out counts, not how light winds.

@@ -21,18 +21,18 @@ struct ShapeText {
     std::string name;  // of its functions: NAME_value, NAME_room, NAME_normal, NAME_middle, NAME_size
     std::string file;  // that defines them
     std::string formula{};
-    bool moves = false, marched = true;
+    bool moves = false, marched = true, round = false;
     auto operator<=>(const ShapeText&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 struct ShapeOf {
     ShapeText operator()(const SphereSpec& s) const {
         if (s.amplitude > 0.0) return {"pulse", "object/pulse.glsl", "", true};
-        return {"sphere", mino ? "object/still_sphere.glsl" : "planar/sphere.glsl", "", false, mino};
+        return {"sphere", mino ? "object/still_sphere.glsl" : "planar/sphere.glsl", "", false, mino, true};
     }
     ShapeText operator()(const BallSpec& b) const {
-        if (b.moves()) return {"moving_ball", "object/moving_ball.glsl", "", true};
-        return {"ball", "object/ball.glsl"};
+        if (b.moves()) return {"moving_ball", "object/moving_ball.glsl", "", true, true, true};
+        return {"ball", "object/ball.glsl", "", false, true, true};
     }
     ShapeText operator()(const SurfaceSpec& s) const {
         return {"surface", "object/surface.glsl", surface_shape(s), surface_moves(s)};
@@ -215,14 +215,14 @@ void add_to_lists(ListTexts& lists, const Group& group, const std::string& room,
 bool round_alike(const std::vector<Group>& groups, const Scene& scene) {
     const std::vector<std::size_t> order = shader_bodies(scene);
     std::set<double> sizes;
-    for (const Group& group : groups)
-        for (std::size_t k = group.from; k < group.to && group.shape.marched; ++k) {
-            const BodyShape& shape = scene.bodies[order[k]].shape;
-            const auto* ball = std::get_if<BallSpec>(&shape);
-            const auto* sphere = std::get_if<SphereSpec>(&shape);
-            if (ball == nullptr && (sphere == nullptr || sphere->amplitude > 0.0)) return false;
-            sizes.insert(ball != nullptr ? ball->radius : sphere->radius);
+    for (const Group& group : groups) {
+        if (!group.shape.marched) continue;
+        if (!group.shape.round) return false;
+        for (std::size_t k = group.from; k < group.to; ++k) {
+            const Body& body = scene.bodies[order[k]];
+            sizes.insert(kind_of(body).extent(body).thinnest);
         }
+    }
     return sizes.size() == 1;
 }
 
