@@ -21,9 +21,8 @@ std::vector<SceneKey> ball_keys() {
         {"ball", "position", KeyType::kPoint, "r_s", "[-12, 0, 0]", closed(-1e6, 1e6), "", "Its centre: x, y, z.",
          [](auto& s) { return &last_body<BallSpec>(s).position; }},
         {"ball", "radius", KeyType::kNumber, "r_s", "2", kPositive, "",
-         "Radius; must contain neither the coordinate centre nor, at rest, the camera. A ball that moves over the "
-         "camera "
-         "is not seen from inside.",
+         "Radius; must contain neither the coordinate centre nor, at rest, the camera. A ball that moves over "
+         "the camera is not seen from inside.",
          [](auto& s) { return &last_body<BallSpec>(s).radius; }},
         {"ball", "motion", KeyType::kChoice, "", "still", kNoRange, "still orbit geodesic path",
          "How its centre moves: not; eastward on the circular geodesic through position; in free fall from position; "

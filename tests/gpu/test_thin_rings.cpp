@@ -79,9 +79,23 @@ TEST_CASE("thin rings: a line with the reference's light" * test::costly()) {
     });
 }
 
+// The light of a scene's picture over the reference's, which traces four by four rays a pixel.
+double share_of_light(GpuSession& session, const Scene& scene, const Image<float>* disc) {
+    constexpr int kSamples = 4;
+    REQUIRE(session.renderer->prepare(scene));
+    const double drawn = total(columns(session.renderer->picture()));
+    const auto sky = build_sky(scene.sky, {}, 16);
+    REQUIRE(sky);
+    const auto exact = reference::render_frame(scene, *sky, disc, kSamples, {});
+    REQUIRE(exact);
+    const double share = drawn / total(columns(*exact));
+    fmt::print("{:<7} {}, disc from {} to {}: light {:.4f} of the reference's\n", session.context->kind(),
+               scene.spacetime.metric, scene.disc->inner, scene.disc->outer, share);
+    return share;
+}
+
 // Where a pixel is a fifth of the shadow's radius, the disc's near images are no thin rings: taken for some, they lost a tenth of their light.
 TEST_CASE("thin rings: a picture of few pixels has the disc's light") {
-    constexpr int kSamples = 4;
     constexpr double kTotal = 0.006;  // of the light: rims filtered by a straight edge's share of a pixel
     Scene scene;
     scene.sky.kind = SkyKind::kBlack;
@@ -94,15 +108,7 @@ TEST_CASE("thin rings: a picture of few pixels has the disc's light") {
         for (const auto& [metric, lapse] : {std::pair{"schwarzschild", ""}, {"formula", "1 - r^2/(r^3 + 0.3^2)"}}) {
             scene.spacetime = {metric, {}};
             if (*lapse != 0) scene.spacetime.parameters.formulas["A"] = lapse;
-            REQUIRE(session.renderer->prepare(scene));
-            const double drawn = total(columns(session.renderer->picture()));
-            const auto sky = build_sky(scene.sky, {}, 16);
-            REQUIRE(sky);
-            const auto exact = reference::render_frame(scene, *sky, nullptr, kSamples, {});
-            REQUIRE(exact);
-            const double ratio = drawn / total(columns(*exact));
-            fmt::print("{:<7} {}: light {:.4f} of the reference's\n", session.context->kind(), metric, ratio);
-            CHECK(std::abs(ratio - 1) <= kTotal);
+            CHECK(std::abs(share_of_light(session, scene, nullptr) - 1) <= kTotal);
         }
     });
 }
@@ -110,7 +116,6 @@ TEST_CASE("thin rings: a picture of few pixels has the disc's light") {
 // The limit holds from where the critical ray is closer to the photon sphere than the disc's rims are, and next to the critical direction.
 TEST_CASE("thin rings: a disc about the photon sphere") {
     constexpr double kTotal = 0.01;
-    constexpr int kSamples = 4;
     Scene scene;
     scene.sky.kind = SkyKind::kBlack;
     scene.disc = DiscSpec{};
@@ -121,16 +126,7 @@ TEST_CASE("thin rings: a disc about the photon sphere") {
     on_one_context([&](GpuSession& session) {
         for (const auto& [inner, outer] : {std::pair{1.45, 1.55}, {1.4, 1.6}}) {
             scene.disc->inner = inner, scene.disc->outer = outer;
-            REQUIRE(session.renderer->prepare(scene));
-            const double drawn = total(columns(session.renderer->picture()));
-            const auto sky = build_sky(scene.sky, {}, 16);
-            REQUIRE(sky);
-            const auto exact = reference::render_frame(scene, *sky, &image->image, kSamples, {});
-            REQUIRE(exact);
-            const double ratio = drawn / total(columns(*exact));
-            fmt::print("{:<7} {} to {}: light {:.4f} of the reference's\n", session.context->kind(), inner, outer,
-                       ratio);
-            CHECK(std::abs(ratio - 1) <= kTotal);
+            CHECK(std::abs(share_of_light(session, scene, &image->image) - 1) <= kTotal);
         }
     });
 }

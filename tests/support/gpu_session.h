@@ -32,6 +32,14 @@ namespace nullscope::test {
 
 using GpuSession = cli::Session;
 
+// Of a picture's red light.
+inline double sum_of(const Image<float>& picture) {
+    double sum = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y)[0];
+    return sum;
+}
+
 inline constexpr const char* kContextKinds[] = {"egl", "osmesa"};
 
 // Nothing where there is no such context; one line says so.

@@ -19,13 +19,6 @@ inline Scene bare_scene(const char* metric, double spin) {
     return scene;
 }
 
-inline double sum_of(const Image<float>& picture) {
-    double sum = 0;
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y)[0];
-    return sum;
-}
-
 inline Image<float> reference_picture(const Scene& scene) {
     static std::map<std::string, Image<float>> known;  // every context asks for the same
     const std::string question = question_of("render_frame", scene);

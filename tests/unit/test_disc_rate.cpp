@@ -50,10 +50,4 @@ TEST_CASE("disc rate: the polynomial is that of circular orbits, whatever the me
         }
 }
 
-TEST_CASE("circular orbits: none within an inner horizon") {
-    const auto charged = *make_spacetime("reissner-nordstrom", {{{"charge", 0.8}}});
-    CHECK_FALSE(circular_orbit(*charged, 0.0165));
-    CHECK(circular_orbit(*charged, 3.0));
-}
-
 }  // namespace

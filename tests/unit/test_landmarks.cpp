@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "observer/landmarks.h"
+#include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 
 using namespace nullscope;
@@ -117,4 +118,10 @@ TEST_CASE("landmarks: clocks, shadow and orbits of a camera") {
     camera.r = 2.0, camera.theta = std::numbers::pi / 2, camera.observer = ObserverKind::kZamo;
     CHECK(camera_numbers(*kerr, camera).clock_rate.value() ==
           doctest::Approx(std::sqrt(kerr->lapse_squared(2.0))).epsilon(1e-12));
+}
+
+TEST_CASE("circular orbits: none within an inner horizon") {
+    const auto charged = spacetime_of("reissner-nordstrom", {{{"charge", 0.8}}});
+    CHECK_FALSE(circular_orbit(*charged, 0.0165));
+    CHECK(circular_orbit(*charged, 3.0));
 }
