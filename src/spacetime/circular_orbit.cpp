@@ -66,7 +66,7 @@ std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r
 }
 
 bool has_circular_rate_numbers(const Spacetime& spacetime) {
-    return spacetime.axial() != nullptr || !spacetime.bends_light() || spacetime.spherical()->lapse_roots().has_value();
+    return spacetime.rotates() || !spacetime.bends_light() || spacetime.spherical()->lapse_roots().has_value();
 }
 
 std::array<double, 2> circular_rate_numbers(const Spacetime& spacetime) {
