@@ -5,14 +5,16 @@
 #define EDGE_HARD 0.375    // likewise
 #define EDGE_SCALE 0.125   // of light, beside halves of ways: half floats keep both
 
+#ifdef BLOCK_MEDIUM
+// Of a picture that is a flux: what is for the eye changes no pixel's rays.
+float edge_exposure() { return frame.medium_bound.w > 0.0 ? frame.medium_bound.w : frame.image.w; }
+#else
+float edge_exposure() { return frame.image.w; }
+#endif
+
 // The brightest channel about as the display has it: a shoulder, and the square root for its encoding. 0 ... 1
 float edge_shown(vec3 light) {
-    float exposure = frame.image.w;
-#ifdef BLOCK_MEDIUM
-    // Of a picture that is a flux: what is for the eye changes no pixel's rays.
-    exposure = frame.medium_bound.w > 0.0 ? frame.medium_bound.w : exposure;
-#endif
-    float most = max(max(light.r, max(light.g, light.b)) * exposure, 0.0);
+    float most = max(max(light.r, max(light.g, light.b)) * edge_exposure(), 0.0);
     return sqrt(most / (most + 0.6));
 }
 

@@ -1,7 +1,12 @@
 // The picture: the light of each pixel's rays.
 #include "effect/sampling.glsl"
 #include "stage/pixel.glsl"
+#ifdef MATTER_LATTICE
+#include "stage/lattice_light.glsl"
+#else
 #include "stage/ray_light.glsl"
+vec4 pixel_light(vec2 pixel) { return ray_light(pixel); }
+#endif
 #ifdef TILES_WITH_BODIES
 #include "core/bits.glsl"
 #include "generated/bodies_march"
@@ -22,12 +27,12 @@ void main() {
     int left = sampling_count();
     vec4 sum = vec4(0.0);
     do {   // tested at the end, see disc_cover
-        sum += fragment_light(ray_light(fragment_pixel(number)));
+        sum += fragment_light(pixel_light(fragment_pixel(number)));
         ++number;
         --left;
     } while (left > 0);
     colour = fragment_colour(sum / float(sampling_count()));
 #else
-    colour = fragment_colour(fragment_light(ray_light(fragment_pixel(0))));
+    colour = fragment_colour(fragment_light(pixel_light(fragment_pixel(0))));
 #endif
 }

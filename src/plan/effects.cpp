@@ -102,6 +102,11 @@ bool tiles_classify_full_disc(const EffectSet& effects) {
 bool interpolates(const EffectSet& effects) {
     return light_path_kind(effects) == LightPathKind::kMino && ends_are_plain(effects);
 }
+bool interpolates_matter(const EffectSet& effects) {
+    constexpr Effect kOthers[] = {Effect::kDisc, Effect::kStar, Effect::kFarSky, Effect::kZoom, Effect::kWarp};
+    return has_medium(effects) && !has_solids(effects) && projections_of(effects).empty() &&
+           std::ranges::none_of(kOthers, [&](Effect effect) { return effects.contains(effect); });
+}
 std::vector<Projection> projections_of(const EffectSet& effects) {
     std::vector<Projection> found;
     for (int i = 1; i < kProjections; ++i)

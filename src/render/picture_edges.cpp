@@ -17,7 +17,7 @@ void PictureEdges::resize(const std::vector<Pass>& passes, const gl::Target& pic
         *this = PictureEdges();
         return;
     }
-    first_number_ = passes.front().stage == Stage::kPicture ? kFirstPictureTile : 0;
+    first_number_ = std::ranges::any_of(passes, is_whole, &Pass::stage) ? kFirstPictureTile : 0;
     if (marks_.width == picture.width && marks_.height == picture.height && marks_.of == picture.framebuffer.id())
         return;
     marks_ = gl::make_marks(picture);

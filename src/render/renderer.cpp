@@ -67,7 +67,8 @@ ShaderSource Renderer::source_of(Stage stage, Output output) const {
     ShaderSource source =
         shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
     // Interpolated tiles have inputs enough of their own.
-    const bool flat = flat_frame_ && draws_picture(stage) && stage != Stage::kInterpolated;
+    const bool flat =
+        flat_frame_ && (draws_picture(stage) || stage == Stage::kLattice) && stage != Stage::kInterpolated;
     return flat ? with_flat_frame(source, kMostFlatInputs) : source;
 }
 
@@ -83,6 +84,8 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     FrameInputs::name(made);
     for (const auto& [sampler, unit] : kPassSamplers) gl::set_integer(made, sampler, unit);
     for (int i = 0; const char* sampler : PictureTiles::kSamplers) gl::set_integer(made, sampler, kTileUnit + i++);
+    for (int i = 0; const char* sampler : LightLattice::kSamplers) gl::set_integer(made, sampler, kTileUnit + i++);
+    LightLattice::name(made);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -106,6 +109,7 @@ void Renderer::bind_inputs() {
     blocks_.bind();
     inputs_.bind();
     picture_tiles_.bind(kTileUnit);
+    lattice_.bind(kTileUnit);
 }
 
 void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
@@ -138,11 +142,23 @@ bool Renderer::scatters_or_meters() const {
     return tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure);
 }
 
+// What a picture's rows ask for before they are drawn: tiles with its first ones.
+void Renderer::find_before(const Pass& pass, int first, int last) {
+    if (pass.stage == Stage::kLattice) {
+        if (first == 0) lattice_.begin();
+        lattice_.extend({program(Stage::kLattice, pass.output), program(Stage::kLatticeCells, pass.output), empty_},
+                        last);
+    } else if (first == 0 && pass.stage != Stage::kLatticeCells) {
+        picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
+    }
+}
+
 // The passes that follow the picture's need all of it: they run with its last rows.
 void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last) {
     const std::vector<Pass> list = picture_passes(output);
     keep_light(list, width, height, output);
     picture_tiles_.resize(list, width, height, tables_.effects());
+    lattice_.resize(list, width, height);
     bind_inputs();
     const bool keep = linear_.width > 0;
     const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
@@ -152,9 +168,8 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
         blocks_.upload_pixel(refining_);
     }
     for (const Pass& pass : list) {
-        if (is_in_tiles(pass.stage) && !draws_picture(pass.stage)) {
-            // With the picture's first rows.
-            if (first == 0) picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
+        if (goes_before(pass.stage)) {
+            find_before(pass, first, last);
         } else if (draws_picture(pass.stage) && tables_.plan().scene.picture.samples > 1) {
             draw_samples(tables_.plan().scene.picture.samples, kRaysAtOnce, [&](const gl::Layer& layer) {
                 draw_picture(pass, picture, width, height, first, last, layer);
@@ -238,17 +253,20 @@ bool Renderer::build_next() {
         3 * kFirstTiles * kTileSide;  // no power of two: llvmpipe compiles once more for textures of such sizes
     const std::vector<Pass> list = passes_with(most_built_tiles_, Output::kDisplay);
     for (const Pass& pass : list) {
-        if (!is_in_tiles(pass.stage) || programs_.contains(program_key(pass.stage, pass.output))) continue;
+        if (pass.stage == Stage::kPicture || !(goes_before(pass.stage) || draws_picture(pass.stage)) ||
+            programs_.contains(program_key(pass.stage, pass.output)))
+            continue;
         if (!is_compiled(pass.stage, pass.output)) return true;
         // Many drivers compile once more when something is drawn.
         const gl::Target target =
             gl::make_target(kSide, kSide, keeps_light(list) ? gl::filtered_light() : gl::Format::kRgba8);
         picture_tiles_.resize(list, kSide, kSide, tables_.effects());
+        lattice_.resize(list, kSide, kSide);
         bind_inputs();
         if (draws_picture(pass.stage))
             draw_picture(pass, target.framebuffer.id(), kSide, kSide, 0, kSide, {});
         else
-            picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
+            find_before(pass, 0, kSide);
         gl::finish();
         if (draws_picture(pass.stage)) ++built_ahead_;
         return true;

@@ -15,6 +15,7 @@
 #include "render/bloom.h"
 #include "render/frame_inputs.h"
 #include "render/frame_tables.h"
+#include "render/light_lattice.h"
 #include "render/picture_edges.h"
 #include "render/picture_layers.h"
 #include "render/picture_tiles.h"
@@ -142,6 +143,7 @@ private:
     Image<float> drawn(Output output);
     void bind_inputs();
     void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
+    void find_before(const Pass& pass, int first, int last);
     void keep_light(const std::vector<Pass>& list, int width, int height, Output output);
     bool scatters_or_meters() const;
     void draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
@@ -169,6 +171,7 @@ private:
     Tiles most_tiles_ = Tiles::kBodies, most_built_tiles_ = Tiles::kNone;
     int built_ahead_ = 0;
     PictureTiles picture_tiles_;
+    LightLattice lattice_;
     gl::Target linear_;  // what passes of light work on, if there are any
     gl::Format linear_format_ = gl::Format::kRgba16F;
     PictureEdges edges_;  // of linear_: pixels with more rays

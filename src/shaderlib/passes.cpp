@@ -35,6 +35,13 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
                             "every pixel traces its ray to the crossing where it meets the disc"});
         if (disc) list.push_back({Stage::kDiscTiles, light, "tiles of disc", "the same, and the disc"});
         if (find_bodies) list.push_back({Stage::kBodyTiles, light, "tiles of bodies", "the same, and bodies"});
+    } else if (tiles >= Tiles::kInterpolated && !effects.contains(Effect::kSamples) && interpolates_matter(effects)) {
+        list.push_back({Stage::kLattice, Output::kLinear, "lattices of matter",
+                        "its light 16, 8 and 4 px apart, finer where it is not smooth"});
+        list.push_back({Stage::kLatticeCells, Output::kLinear, "cells of these",
+                        "where the light between their nodes is told by them to 0.5 %"});
+        list.push_back({Stage::kLatticePicture, light, "picture",
+                        "the light of matter by these, elsewhere along the pixel's ray"});
     } else {
         list.push_back({Stage::kPicture, light, "picture",
                         "one triangle over the picture: every pixel traces its ray and shades what it meets"});

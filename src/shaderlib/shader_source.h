@@ -16,6 +16,7 @@ namespace nullscope {
 // kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated;
 // in the others kSkyTiles, where neither body nor disc is seen; kFullDisc, where nothing but the disc is; kDiscTiles, where no body is;
 // kBodyTiles, the rest. kInterpolatedRays: where interpolated rays go, for tests.
+// kLattice: the light of matter on a lattice of the picture; kLatticeCells: where it tells the light between its nodes; kLatticePicture: the picture by it.
 // kRayList: ray data of a list, one ray a fragment.
 enum class Stage {
     kPicture,
@@ -38,12 +39,15 @@ enum class Stage {
     kDiscTiles,
     kBodyTiles,
     kInterpolatedRays,
+    kLattice,
+    kLatticeCells,
+    kLatticePicture,
     kRayList
 };
 inline constexpr int kTileSide = 8;    // px
 inline constexpr int kFirstTiles = 4;  // tiles a side of those of the first pass, which bodies are looked for in
 inline constexpr int kBlockSide = 4;   // px, of the blocks in which pixels are drawn again with more rays
-// Stage kPicture draws one triangle, vertices 0 to 2, or tiles as points, of which this is the first.
+// Stages that are whole draw one triangle, vertices 0 to 2, or tiles as points, of which this is the first.
 inline constexpr unsigned kFirstPictureTile = 3;
 int rays_a_tile(
     const EffectSet& effects);  // of stage kRays: through the corner, and through the middle if rays are interpolated
@@ -56,9 +60,13 @@ enum class Output { kLinear, kDisplay, kLayers };
 
 // Does a stage draw the picture, whole or in part?
 constexpr bool draws_picture(Stage stage) {
-    return stage == Stage::kPicture || stage == Stage::kInterpolated || stage == Stage::kSkyTiles ||
-           stage == Stage::kFullDisc || stage == Stage::kDiscTiles || stage == Stage::kBodyTiles;
+    return stage == Stage::kPicture || stage == Stage::kLatticePicture || stage == Stage::kInterpolated ||
+           stage == Stage::kSkyTiles || stage == Stage::kFullDisc || stage == Stage::kDiscTiles ||
+           stage == Stage::kBodyTiles;
 }
+
+// In one triangle?
+constexpr bool is_whole(Stage stage) { return stage == Stage::kPicture || stage == Stage::kLatticePicture; }
 
 // Does a stage tell what the picture's tiles may show?
 constexpr bool finds_tiles(Stage stage) {
@@ -67,7 +75,12 @@ constexpr bool finds_tiles(Stage stage) {
 
 // Is it one of those that a picture in tiles consists of?
 constexpr bool is_in_tiles(Stage stage) {
-    return stage == Stage::kRays || finds_tiles(stage) || (draws_picture(stage) && stage != Stage::kPicture);
+    return stage == Stage::kRays || finds_tiles(stage) || (draws_picture(stage) && !is_whole(stage));
+}
+
+// Does it tell what the picture's rows ask for, before these are drawn?
+constexpr bool goes_before(Stage stage) {
+    return stage == Stage::kRays || finds_tiles(stage) || stage == Stage::kLattice || stage == Stage::kLatticeCells;
 }
 
 // What every text begins with: the language, and that all is exact; GLSL ES (of browsers) gives samplers few digits unless it is asked.

@@ -1,0 +1,31 @@
+// A ray's light by what the lattice tells of matter, or by the ray itself.
+#include "core/view.glsl"
+#include "effect/sampling.glsl"
+#include "path/ray_way"
+#include "stage/lattice.glsl"
+#include "stage/ray_light.glsl"
+
+#ifdef LATTICE_BEFORE_SKY
+vec4 light_behind(LatticeLight matter, vec2 pixel) {
+    Trace trace = trace_pixel(pixel);
+    RaySight sight;
+    sight.light = matter.light;
+    sight.through = matter.through;
+    sight = with_painted(with_sky(sight, trace), trace);
+    return vec4(sight.light, sight_rest(sight, trace));
+}
+#else
+#ifdef EFFECT_POINT_STARS
+vec4 light_behind(LatticeLight matter, vec2 pixel) { return vec4(matter.light, matter.through); }
+#else
+vec4 light_behind(LatticeLight matter, vec2 pixel) { return vec4(matter.light, open_way(matter.escapes)); }
+#endif
+#endif
+
+vec4 pixel_light(vec2 pixel) {
+    LatticeLight matter = lattice_light(picture_fragment(pixel) * sampling_share());
+    vec4 light;
+    if (matter.known) light = light_behind(matter, pixel);
+    else light = ray_light(pixel);
+    return light;
+}

@@ -1,0 +1,73 @@
+#include "render/light_lattice.h"
+
+#include <algorithm>
+
+namespace nullscope {
+namespace {
+
+// Those beside the cells that hold `length` px: one before, and two behind the cell that is behind the last.
+int nodes(int length, int side) { return (length - 1) / side + 5; }
+
+}  // namespace
+
+void LightLattice::resize(const std::vector<Pass>& passes, int width, int height) {
+    if (std::ranges::find(passes, Stage::kLattice, &Pass::stage) == passes.end()) {
+        *this = LightLattice();
+        return;
+    }
+    height_ = height;
+    for (std::size_t i = 0; i < kSides.size(); ++i) {
+        // Of odd sizes: llvmpipe compiles once more for textures whose sides are powers of two.
+        const int across = nodes(width, kSides[i]), up = nodes(height, kSides[i]) | 1;
+        gl::Target& target = levels_[i].nodes;
+        if (target.width == (2 * across | 1) && target.height == up) continue;
+        target = gl::make_target(2 * across | 1, up, gl::Format::kRgba32F);
+        levels_[i].cells = gl::make_target(across | 1, up, gl::Format::kRgba32F);
+    }
+    if (none_.nodes.width > 0) return;
+    none_.nodes = gl::make_target(3, 5, gl::Format::kRgba32F);
+    none_.cells = gl::make_target(5, 5, gl::Format::kRgba32F);
+}
+
+void LightLattice::begin() {
+    for (Level& level : levels_) level.rows = 0;
+}
+
+void LightLattice::extend(const Programs& programs, int last) {
+    extend(kSides.size() - 1, programs, last);
+    bind(first_);
+}
+
+void LightLattice::extend(std::size_t number, const Programs& programs, int last) {
+    Level& level = levels_[number];
+    if (last <= level.rows) return;
+    const int side = kSides[number], up = level.nodes.height;
+    const auto drawn = [&](int rows) { return rows == 0 ? 0 : rows < height_ ? std::min(nodes(rows, side), up) : up; };
+    const int from = drawn(level.rows), to = drawn(last);
+    if (number > 0) extend(number - 1, programs, std::min((to - 1) * side, height_));
+    const auto draw = [&](const gl::Program& program, const gl::Target& target, int before, int after) {
+        gl::draw_rows(program, programs.empty, target.framebuffer.id(), target.width, target.height, before, after);
+    };
+    bind(number > 0 ? levels_[number - 1] : none_);
+    gl::set_integer(programs.nodes, "lattice_side", number > 0 ? kSides[number - 1] : 0);
+    gl::set_integer(programs.nodes, "lattice_drawn", side);
+    draw(programs.nodes, level.nodes, from, to);
+    // The cells of these rows: those above their nodes are not there yet.
+    gl::bind_texture_2d(first_, level.nodes.colours.front());
+    draw(programs.cells, level.cells, std::max(from - 3, 0), to == up ? up : to - 3);
+    level.rows = last;
+}
+
+void LightLattice::bind(int first) {
+    first_ = first;
+    if (none_.nodes.width > 0) bind(levels_.back());
+}
+
+void LightLattice::bind(const Level& level) {
+    gl::bind_texture_2d(first_, level.nodes.colours.front());
+    gl::bind_texture_2d(first_ + 1, level.cells.colours.front());
+}
+
+void LightLattice::name(const gl::Program& program) { gl::set_integer(program, "lattice_side", kSides.back()); }
+
+}  // namespace nullscope

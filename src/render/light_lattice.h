@@ -1,0 +1,48 @@
+// The light of matter on lattices of the picture, 16, 8 and 4 px apart (shaders/stage/lattice.glsl): a ray is followed at a node of a finer one only
+// where the coarser does not tell its light. They are drawn with the picture, from below, as far as its rows need them.
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "gl/gl.h"
+#include "shaderlib/passes.h"
+
+namespace nullscope {
+
+class LightLattice {
+public:
+    // For a picture of this size by these passes; frees what they do not need. Binds textures of its own to unit 0.
+    void resize(const std::vector<Pass>& passes, int width, int height);
+
+    // Before the picture is drawn.
+    void begin();
+
+    // Programs of the stages kLattice and kLatticeCells.
+    struct Programs {
+        const gl::Program &nodes, &cells;
+        const gl::VertexArray& empty;
+    };
+    // So that it tells the picture's rows before `last`; after bind(). Cost: a ray in some thirty pixels where the light is smooth, one in eight
+    // where it is not.
+    void extend(const Programs& programs, int last);
+
+    // The finest, to units from first on, in the order of kSamplers; and to a program that reads it.
+    static constexpr const char* kSamplers[] = {"lattice_texture", "cell_texture"};
+    void bind(int first);
+    static void name(const gl::Program& program);
+
+private:
+    static constexpr std::array kSides = {16, 8, 4};  // px between nodes
+    struct Level {
+        gl::Target nodes, cells;
+        int rows = 0;  // of the picture, that are told
+    };
+    void extend(std::size_t number, const Programs& programs, int last);
+    void bind(const Level& level);
+
+    int first_ = 0, height_ = 0;
+    std::array<Level, kSides.size()> levels_;
+    Level none_;  // read while the coarsest is drawn
+};
+
+}  // namespace nullscope
