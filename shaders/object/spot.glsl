@@ -6,14 +6,24 @@
 #include "path/trace"
 #include "shared/objects.glsl"
 
-// Its Gaussian, averaged over the pixel's footprint: the covariances of both add.
+float spot_cross(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+
+// Its Gaussian, averaged over the pixel's footprint: the covariances of both add. Lengths in units of the larger of both, and determinants as sums
+// of squares: footprints on wide discs are up to 1e10 of a spot's size.
 float spot_profile(float size2, vec2 off, vec2 along, vec2 across) {
-    float xx = size2 + (along.x * along.x + across.x * across.x) * (1.0 / 12.0);
-    float yy = size2 + (along.y * along.y + across.y * across.y) * (1.0 / 12.0);
-    float xy = (along.x * along.y + across.x * across.y) * (1.0 / 12.0);
-    float det = max(xx * yy - xy * xy, 1.0e-20);
-    float square = (yy * off.x * off.x - 2.0 * xy * off.x * off.y + xx * off.y * off.y) / det;
-    return size2 * inversesqrt(det) * exp(-0.5 * min(square, 160.0));
+    float pixel2 = (dot(along, along) + dot(across, across)) * (1.0 / 12.0);
+    float unit2 = max(size2, pixel2);
+    float scale = inversesqrt(unit2);
+    float small = size2 / unit2;
+    vec2 a = (0.28867513459 * scale) * along;   // 1/sqrt(12)
+    vec2 b = (0.28867513459 * scale) * across;
+    vec2 c = scale * off;
+    float area = spot_cross(a, b);
+    float beside_a = spot_cross(a, c);
+    float beside_b = spot_cross(b, c);
+    float det = max(small * (small + pixel2 / unit2) + area * area, 1.0e-20);
+    float square = (small * dot(c, c) + beside_a * beside_a + beside_b * beside_b) / det;
+    return small * inversesqrt(det) * exp(-0.5 * min(square, 160.0));
 }
 
 // Of the spots on one circular orbit, number k: what shines of the one that is nearest. delay: how long ago the light left that arrives now.

@@ -159,4 +159,24 @@ TEST_CASE("sky: its light changes as a black body's by g, the same all over it o
     });
 }
 
+// Where the disc is a million times as wide as its spot, pixels cover 1e10 of the spot's size and more.
+TEST_CASE("spots: on a wide disc") {
+    Scene scene = bolometric_scene(15, 85);
+    scene.sky.kind = SkyKind::kBlack;
+    scene.camera.width = 64, scene.camera.height = 36, scene.camera.plane_width = 1.2;
+    *scene.disc = DiscSpec{};
+    scene.spots.emplace_back();
+    on_one_context([&](GpuSession& session) {
+        const auto drawn = [&](double outer) {
+            scene.disc->outer = outer;
+            REQUIRE(session.renderer->prepare(scene));
+            return session.renderer->picture();
+        };
+        const Image<float> wide = drawn(999999);
+        CHECK(std::isfinite(sum_of(wide)));
+        scene.spots.clear();
+        CHECK(sum_of(wide) < sum_of(drawn(999999)) + 100);  // of the spot: 5
+    });
+}
+
 }  // namespace
