@@ -149,17 +149,19 @@ TEST_CASE("lattice: a picture drawn in pieces is the picture, with more rays at 
         renderer.draw_rows(target.framebuffer.id(), kWidth, kHeight, Output::kDisplay, first, last);
     std::vector<unsigned char> rgba(static_cast<std::size_t>(kWidth) * kHeight * 4);
     gl::read_rgba8(target, rgba.data());
-    int off = 0, from_traced = 0;
+    constexpr int kSeen = 3;          // of 255
+    constexpr double kAtEdge = 5e-3;  // of all values: at the shadow's edge, of 16 rays in place of 36
+    int off = 0, others = 0;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x)
             for (int c = 0; c < 3; ++c) {
                 const auto at =
                     static_cast<std::size_t>((kHeight - 1 - y) * kWidth + x) * 4 + static_cast<std::size_t>(c);
                 off = std::max(off, std::abs(rgba[at] - whole.at(x, y)[c]));
-                from_traced = std::max(from_traced, std::abs(whole.at(x, y)[c] - traced.at(x, y)[c]));
+                others += std::abs(whole.at(x, y)[c] - traced.at(x, y)[c]) > kSeen;
             }
     CHECK(off == 0);
-    CHECK(from_traced <= 3);  // of 255
+    CHECK(others <= kAtEdge * 3 * kWidth * kHeight);
 }
 
 TEST_CASE("lattice: smooth matter costs a fraction of its rays" * test::costly()) {
