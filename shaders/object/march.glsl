@@ -10,7 +10,7 @@
 //
 // MarchWay, way_place, way_value, way_pixel and way_pixel_least: the way that is marched along by a growing number (planar/march.glsl: the
 // swept angle of an orbit; mino/march.glsl: the fraction of a step about a rotating hole), the place there, the value, and how wide a pixel
-// is, on the mean and on its shorter side.
+// is, on the mean and on its shorter side. MARCH_PROBES: how many probes are made behind a surface at most.
 #include "generated/bodies_march"
 #include "object/round.glsl"
 #include "path/place"
@@ -75,8 +75,8 @@ float march_round_cover(float radius, float depth) {
 #define SPAN_SECOND 1
 #define SPAN_DIP 2           // the next of them: the least value
 #define SPAN_ROOT 3          // between outside and inside: the surface
-#define SPAN_BEFORE 4        // a little before it and behind it
-#define SPAN_BEHIND 5
+#define SPAN_BEHIND 4        // a little behind it and before it
+#define SPAN_BEFORE 5
 #define SPAN_DONE 6
 
 // The end of the span that stayed where it was in the last round.
@@ -218,9 +218,21 @@ SpanSearch span_root(SpanSearch search, MarchWay way, RayPlace place, float valu
     if (search.left <= 0 || search.high - search.low <= 2.0 * exact) {
         search.contact.at = search.high;
         search.probe = min(MARCH_PROBE * frame.march.y / max(place_speed(place), 1.0e-20), way_left(way, search.high));
-        search.at = search.high - search.probe;
-        search.next = SPAN_BEFORE;
+        search.at = search.high + search.probe;
+        search.next = SPAN_BEHIND;
+        search.left = MARCH_PROBES;
     }
+    return search;
+}
+
+// Behind a surface, from where the ray has left a thin part of the body again, or a part close to the centre, less far.
+SpanSearch span_behind(SpanSearch search, float value) {
+    bool left = value > 0.0 && search.left > 1;
+    search.value_behind = value;
+    search.probe *= left ? 0.25 : 1.0;
+    search.at = search.contact.at + (left ? search.probe : -search.probe);
+    search.next = left ? SPAN_BEHIND : SPAN_BEFORE;
+    --search.left;
     return search;
 }
 
@@ -234,12 +246,10 @@ SpanSearch span_look(SpanSearch search, MarchWay way, MarchSpan span, RayPlace p
         search = span_dip(search, span, value);
     } else if (search.next == SPAN_ROOT) {
         search = span_root(search, way, place, value);
-    } else if (search.next == SPAN_BEFORE) {
-        search.value_before = value;
-        search.at = search.contact.at + search.probe;
-        search.next = SPAN_BEHIND;
+    } else if (search.next == SPAN_BEHIND) {
+        search = span_behind(search, value);
     } else {
-        search.value_behind = value;
+        search.value_before = value;
         search.next = SPAN_DONE;
     }
     return search;

@@ -290,7 +290,8 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
     const std::string graze = !skims       ? "length < max(1.001 * frame.march.y, 4.0 * pixel)"
                               : across > 0 ? "true"
                                            : "length < 1.001 * frame.march.y || value < 5.0 * pixel";
-    return fmt::format("#define MARCH_MOST_STEPS {}\n", steps) + helpers + stop +
+    const int probes = across > 0 ? 3 : 1;  // a surface may be thinner than the first one is long
+    return fmt::format("#define MARCH_MOST_STEPS {}\n#define MARCH_PROBES {}\n", steps, probes) + helpers + stop +
            "vec2 march_ask(RayPlace place) {\n    float value = 1.0e30;\n    float room = 1.0e30;\n" + ask +
            "    return vec2(value, room);\n}\n" +
            (across > 0 ? "vec2 march_nearest(RayPlace place, float value) {\n    vec2 nearest = vec2(1.0e30, 1.0);\n"

@@ -92,4 +92,33 @@ TEST_CASE("thin bodies: a ball and a sphere narrower than a pixel have the light
     });
 }
 
+// Along the ray its parts are short: swept angles are far from even there.
+TEST_CASE("thin bodies: a solid by formula behind the centre or a throat has as much light as the ball that it is") {
+    constexpr double kBound = 10, kOff = 0.04;
+    constexpr int kPixels = 64;
+    struct View {
+        const char* metric;
+        double x, width;
+        bool far;
+    };
+    on_every_context([&](GpuSession& session) {
+        for (const View& view : {View{"minkowski", -3, 0.5, false}, View{"ellis", 3, 0.16, true}}) {
+            CAPTURE(view.metric);
+            const auto drawn = [&](const auto& with_body) {
+                Draft draft = Draft().metric(view.metric).sky(SkyKind::kBlack).place(10, 1.3);
+                draft.size(kPixels, kPixels).plane(view.width);
+                Scene scene = with_body(draft);
+                scene.far_sky.kind = SkyKind::kBlack;
+                scene.picture.refine = false;
+                REQUIRE(session.renderer->prepare(scene));
+                return light(session.renderer->picture());
+            };
+            const double ball = drawn([&](Draft& d) { return d.ball({view.x, 0, 0}, 1, view.far); });
+            const auto shape = fmt::format("length(x - {}, y, z) - 1", view.x);
+            CHECK(ball > 50);
+            CHECK(std::abs(drawn([&](Draft& d) { return d.surface(shape, kBound, view.far); }) / ball - 1) <= kOff);
+        }
+    });
+}
+
 }  // namespace
