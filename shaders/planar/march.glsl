@@ -5,6 +5,7 @@
 #include "object/solid_hit.glsl"
 #include "shared/frame.glsl"
 
+#define MARCH_LEAST 2.4e-7   // of the swept angle, a step: two roundings, or it would not go on
 #define MARCH_DOUBT 8.0   // a moving body may be off by an eighth of its distance where the time is not exact: steps are 0.8 of that
 
 // How far to the next sample.
@@ -83,7 +84,7 @@ Search search_samples(Search search) {
         search.length = min(search.length, max(search.listed, 0.8 * (frame.march_shell.y - search.place.r)));
         search.listed -= search.length;
 #endif
-        float next = min(search.phi + place_part(search.place, search.length), search.phi_stop);
+        float next = min(search.phi + max(place_part(search.place, search.length), MARCH_LEAST * search.phi), search.phi_stop);
 #ifdef WAY_BETWEEN
         search.place = place_beside(search.way.trace, search.way.tangent, next, search.place, search.phi);
         float slack = MARCH_DOUBT * frame.march.w * search.place.doubt;   // bodies move meanwhile

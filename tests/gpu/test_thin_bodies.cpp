@@ -121,4 +121,21 @@ TEST_CASE("thin bodies: a solid by formula behind the centre or a throat has as 
     });
 }
 
+// There two neighbouring numbers of the swept angle are a tenth of the distance apart.
+TEST_CASE("thin bodies: a ball a million r_s behind the hole has about the light of one a hundred times closer") {
+    constexpr double kOff = 0.12;
+    on_every_context([&](GpuSession& session) {
+        const auto drawn = [&](double distance) {
+            Scene scene =
+                thin_about("schwarzschild").place(15, 1.4).plane(1.15).ball({-distance, 0, 0}, 0.25 * distance);
+            scene.picture.refine = false;
+            REQUIRE(session.renderer->prepare(scene));
+            return light(session.renderer->picture());
+        };
+        const double near = drawn(1e4);
+        CHECK(near > 50);
+        CHECK(std::abs(drawn(1e6) / near - 1) <= kOff);
+    });
+}
+
 }  // namespace
