@@ -206,8 +206,11 @@ public:
     }
     std::unique_ptr<Orbit> from_static(const LocalRay& ray) const override {
         const Long more = m_.mass * Throat::growth<Long>(0, m_.x_of(ray.r)), radius = m_.rho + more;
-        const Long across = std::sqrt(more * (more + 2 * m_.rho)), along = radius * std::abs(Long(ray.n_r));
-        return orbit({ray.r, radius * ray.n_t, ray.n_r > 0, (across - along) * (across + along), along * along});
+        const Long across = std::sqrt(more * (more + 2 * m_.rho)), along = radius * std::abs(Long(ray.n_r)),
+                   b = radius * ray.n_t;
+        // From afar b has the digits of what R^2 is many times as large as.
+        const Long turn2 = b < along ? (b - m_.rho) * (b + m_.rho) : (across - along) * (across + along);
+        return orbit({ray.r, b, ray.n_r > 0, turn2, along * along});
     }
 
 private:
