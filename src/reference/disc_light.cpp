@@ -123,7 +123,8 @@ DiscLight::DiscLight(const Metric& metric, const DiscSpec& disc, const LightSpec
     low = isco_ * (1 - 1e-3), high = isco_ * (1 + 1e-3);
     for (int i = 0; i < 45; ++i) (slope(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
     isco_ = 0.5 * (low + high);
-    hottest_ = boost::math::tools::brent_find_minima([&](double r) { return -flux(r); }, isco_, 5 * isco_, 30).first;
+    high = std::min(5 * isco_, metric.beyond_last_circle());
+    hottest_ = boost::math::tools::brent_find_minima([&](double r) { return -flux(r); }, isco_, high, 30).first;
     const double peak = flux(hottest_);
     if (disc.accretion) hottest_is(accretion_temperature_K(*disc.accretion, peak));
     if (!(disc.outer > isco_)) return;

@@ -220,6 +220,16 @@ Faults check_disc(const Scene& scene, const World& world, const GivenKeys& given
     return faults;
 }
 
+// Matter that goes round, as far as the disc reaches.
+Faults check_disc_orbits(const Scene& scene, const World& world) {
+    const auto& disc = scene.disc;
+    if (!disc || !world || (disc->emission != DiscEmission::kThermal && disc->flow == DiscFlowKind::kStill)) return {};
+    const double most = outermost_circular_orbit(*world);
+    if (disc->outer <= most) return {};
+    return {{"disc.outer", fmt::format("at {} its matter is pulled outward by a cosmological constant", disc->outer),
+             fmt::format("at most {:.6g}, or a disc that neither is thermal nor flows", most)}};
+}
+
 Faults check_spots(const Scene& scene) {
     if (!scene.spots.empty() && !scene.disc)
         return {{"spot", "there is no [disc]", "in a disc only; disc.opacity = 0 shows the spots alone"}};
@@ -359,6 +369,8 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     const World world = world_of(scene.spacetime), other = scene.split ? world_of(*scene.split) : nullptr;
     Faults faults = check_path(scene);
     append(faults, check_disc(scene, world, given));
+    append(faults, check_disc_orbits(scene, world));
+    append(faults, of_right_half(check_disc_orbits(scene, other)));
     append(faults, check_patterns(scene));
     append(faults, check_bodies(scene, world ? world->horizon_radius().value_or(0.0) : 0.0));
     if (world) append(faults, side_faults(*world, scene)), append(faults, medium_faults(*world, scene));

@@ -31,10 +31,11 @@ Equator seen_in(Sense sense, Equator e) {
     return e;
 }
 
+bool pulled_outward(const Equator& e) { return e.slope.tphi * e.slope.tphi < e.slope.tt * e.slope.phiphi; }
+
 bool stable(const Equator& e) {
     const auto orbit = orbit_in(e);
-    if (!orbit || e.slope.tphi * e.slope.tphi < e.slope.tt * e.slope.phiphi)
-        return false;  // the latter: pulled outward
+    if (!orbit || pulled_outward(e)) return false;
     const double energy = orbit->energy, momentum = orbit->momentum;
     const auto &g = e.g, &first = e.slope, &second = e.curvature;
     const double bend = energy * energy * second.phiphi + 2.0 * energy * momentum * second.tphi +
@@ -62,7 +63,7 @@ std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r
     if (const auto horizon = spacetime.horizon_radius(); horizon && r <= *horizon)
         return {};  // within an inner one there are some
     const auto equator = spacetime.equator(r);
-    return equator ? orbit_in(*equator) : std::nullopt;
+    return equator && !pulled_outward(*equator) ? orbit_in(*equator) : std::nullopt;
 }
 
 bool has_circular_rate_numbers(const Spacetime& spacetime) {
@@ -101,6 +102,15 @@ std::optional<double> innermost_stable_orbit(const Spacetime& spacetime, Sense s
     return 2.0 / (outside + inside);
 }
 
+double outermost_circular_orbit(const Spacetime& spacetime) {
+    const auto sphere = spacetime.photon_sphere();
+    const auto pulled = [&](double r) {
+        const auto equator = spacetime.equator(r);
+        return equator && pulled_outward(*equator);
+    };
+    return sphere && pulled(kFarthestStable) ? 1.0 / divided(sphere->radius, pulled)[1] : kAnyRadius;
+}
+
 DiscMatterFlow::DiscMatterFlow(const Spacetime& spacetime)
     : spacetime_(spacetime), isco_(innermost_stable_orbit(spacetime)) {
     if (isco_) last_ = *circular_orbit(spacetime, *isco_);
@@ -108,8 +118,8 @@ DiscMatterFlow::DiscMatterFlow(const Spacetime& spacetime)
 
 MatterVelocity DiscMatterFlow::at(double r) const {
     if (!isco_ || r >= *isco_) {
-        const auto orbit = circular_orbit(spacetime_, r);
-        return {orbit->u_t, 0.0, orbit->u_t * orbit->omega};
+        const CircularOrbit orbit = circular_orbit(spacetime_, r).value_or(CircularOrbit{1, 0, 1, 0});
+        return {orbit.u_t, 0.0, orbit.u_t * orbit.omega};
     }
     const double energy = last_.energy, momentum = last_.momentum;
     const Equator e = *spacetime_.equator(r);

@@ -20,8 +20,8 @@ struct CircularOrbit {
     double momentum;  // L per rest mass, r_s c
 };
 
-// Nothing where there is no such geodesic: at and inside light's own circular orbit, and where the spacetime has no
-// Equator. Flat space: matter at rest.
+// Nothing where there is no such geodesic: at and inside light's own circular orbit, where a cosmological constant pulls
+// outward, and where the spacetime has no Equator. Flat space: matter at rest.
 std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r);
 
 // Of A = (1 - x zeta)(1 - y zeta), by which matter goes round with w^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta) and
@@ -41,6 +41,9 @@ double light_orbit(const Spacetime& spacetime, Sense sense = Sense::kPrograde);
 
 // Radius in r_s of the innermost stable circular orbit; nothing where light runs straight, or no orbit is stable.
 std::optional<double> innermost_stable_orbit(const Spacetime& spacetime, Sense sense = Sense::kPrograde);
+
+// Radius in r_s, a rounding inward, beyond which a cosmological constant pulls matter outward; kAnyRadius where none does.
+double outermost_circular_orbit(const Spacetime& spacetime);
 
 // Contravariant four-velocity (u^t, u^r, u^phi) of the disc's matter at r outside the horizon: circular down to the
 // innermost stable orbit, falling with that orbit's energy and angular momentum inside. Continuous, with a continuous

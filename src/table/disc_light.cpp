@@ -67,7 +67,7 @@ std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<doub
 FluxPeak disc_flux_peak(const Spacetime& spacetime) {
     const auto isco = innermost_stable_orbit(spacetime);
     if (!isco) return {1.0, 0.0};
-    double low = *isco, high = 4.0 * *isco;  // one maximum between them
+    double low = *isco, high = std::min(4.0 * *isco, outermost_circular_orbit(spacetime));  // one maximum between them
     constexpr double kGolden = 0.6180339887498949;
     while (high - low > 1e-8 * high) {
         const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);

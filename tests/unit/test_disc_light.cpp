@@ -51,6 +51,16 @@ TEST_CASE_FIXTURE(Fixture,
     CHECK(disc_flux(*spacetime, {2.9, 3.0, 2.0}) == std::vector<double>{0, 0, 0});
 }
 
+TEST_CASE(
+    "disc light: where a cosmological constant leaves few stable circles, the peak of the flux is the reference's") {
+    MetricParameters kottler;
+    kottler.formulas = {{"A", "1 - 1/r - 0.0028*r^2/3"}};
+    const auto metric = std::move(*reference::make_metric({"formula", kottler}));
+    const reference::DiscLight ring(*metric, {}, {});
+    const FluxPeak peak = disc_flux_peak(**make_spacetime("formula", kottler));
+    CHECK(std::fabs(peak.flux / ring.flux(ring.hottest()) - 1) < 1e-6);
+}
+
 // Bolometric light is T^4, and that the flux. The table adds rings up, the flux is quadrature from the innermost circle anew.
 TEST_CASE("disc light: the heat of every ring is the flux there over the largest, to 1e-8 of that") {
     const SpacetimeSpec spaces[] = {{"schwarzschild", {}}, {"kerr", {{"spin", 0.98}}}};

@@ -289,6 +289,9 @@ TEST_CASE("formula: circular orbits, and where there are none") {
     for (const double r : {2.0, 4.0, 9.0, 15.0})  // Omega^2 = 1/(2 r^3) - Lambda/3
         CHECK(circular_orbit(*kottler, r)->omega ==
               doctest::Approx(std::sqrt(0.5 / (r * r * r) - 0.0002 / 3)).epsilon(1e-12));
+    const double most = std::cbrt(1.5 / 0.0002);  // Omega = 0
+    CHECK(outermost_circular_orbit(*kottler) == doctest::Approx(most).epsilon(1e-9));
+    CHECK_FALSE(circular_orbit(*kottler, 1.001 * most));
     const auto hole = *make_spacetime("formula", formulas("1 - 1/r"));
     CHECK(*innermost_stable_orbit(*hole) == doctest::Approx(3).epsilon(1e-12));
     CHECK(*innermost_stable_orbit(*kottler) > 3.0);
