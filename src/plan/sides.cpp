@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "expr/formula.h"
+#include "plan/body_kind.h"
 #include "scene/bodies.h"
 #include "scene/named_surface.h"
 #include "spacetime/spherical_metric.h"
@@ -11,6 +12,8 @@ namespace nullscope {
 namespace {
 
 using Faults = std::vector<SceneFault>;
+
+constexpr double kFarthestBody = 1e5;  // throats: beyond, swept angles in float no longer tell places apart
 
 void check_one_side(const Spacetime& spacetime, const Scene& scene, Faults& faults) {
     const auto without = [&](const std::string& key) {
@@ -34,6 +37,18 @@ void check_throat(const SurfaceSpec& surface, const std::string& section, double
                           fmt::format("reaches across the throat: f is {} at [0, 0, 0]", value), "f above 0 there"});
 }
 
+void check_distance(const Spacetime& spacetime, const Scene& scene, std::size_t i, Faults& faults) {
+    const Body& body = scene.bodies[i];
+    const double farthest = kind_of(body).extent(body).to, most = kFarthestBody * spacetime.spherical()->length_unit();
+    const char* key = std::holds_alternative<BallSpec>(body.shape)       ? "position"
+                      : std::holds_alternative<CylinderSpec>(body.shape) ? "outer"
+                                                                         : "bound";
+    if (farthest > most)
+        faults.push_back({fmt::format("{}.{}", body_section(scene, i), key),
+                          fmt::format("reaches as far as {:.6g} from so narrow a throat", farthest),
+                          fmt::format("bodies within {:.6g} of it, or a wider throat", most)});
+}
+
 }  // namespace
 
 std::vector<SceneFault> side_faults(const Spacetime& spacetime, const Scene& scene) {
@@ -51,6 +66,7 @@ std::vector<SceneFault> side_faults(const Spacetime& spacetime, const Scene& sce
                               "a [ball], [cylinder] or [surface] on one side"});
         if (const auto* surface = std::get_if<SurfaceSpec>(&body.shape))
             check_throat(*surface, body_section(scene, i), scene.time, faults);
+        check_distance(spacetime, scene, i, faults);
     }
     if (scene.bodies.empty()) return faults;
     if (!spacetime.can_have_bodies())

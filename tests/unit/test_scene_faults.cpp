@@ -38,6 +38,9 @@ const Broken kBroken[] = {
     {"\0\0\0\0"s, 1, "", ""},
     {"x = " + std::string(1000, '['), 1, "", "depth"},
     {"a" + std::string(5000, '.') + "a = 1", 1, "", "more than 4096 dots"},
+    // Places that floats do not tell apart
+    {"[spacetime]\nmetric = \"ellis\"\nthroat = 0.02\n[ball]\nposition = [1990, 0, 0]\nradius = 20", 5, "ball.position",
+     "bodies within 2000 of it"},
     // Matter in orbit where a cosmological constant pulls it outward
     {"[spacetime]\nmetric = \"formula\"\nA = \"1 - 1/r - 0.002*r^2/3\"\n[disc]\nemission = \"thermal\"\nouter = 9.2", 6,
      "disc.outer", "pulled outward"},
