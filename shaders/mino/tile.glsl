@@ -7,6 +7,7 @@
 
 #define TILE_NEAR 1.5      // steps that stay beyond as many times the radius of all bodies are left out
 #define TILE_BESIDE 0.5    // of a step: as far before its start and behind its end corners' rays are followed
+#define TILE_NARROW 0.93   // cosine of the corners from the middle: wider ones' rays are no bundle
 #define TILE_DEEPER 1.5    // how much more than the corners' rays those between may differ in radius
 
 #define CAPTURED_LOOKS 12
@@ -30,18 +31,22 @@ struct TileBundle {
     SpinSegment segments[TILE_RAYS];   // the last step's
     float behind[TILE_RAYS];           // the middle ray, by Mino's time: at places next to its
     float pixel_angle;
+    bool narrow;
     bool captured;                     // all of them, and those between: a shadow is convex
 };
 
 TileBundle tile_bundle(vec2 middle) {
     TileBundle tile;
+    tile.narrow = true;
     tile.captured = true;
+    vec3 ahead = spin_view(middle).direction;
     for (int k = 0; k < TILE_RAYS; ++k) {
         SpinView view = spin_view(middle + tile_ray(k));
         tile.rays[k] = spin_ray(view);
         tile.now[k] = spin_start(tile.rays[k], view.direction);
         tile.behind[k] = 0.0;
         tile.captured = tile.captured && spin_captured(tile.rays[k], tile.now[k]);
+        tile.narrow = tile.narrow && dot(view.direction, ahead) > TILE_NARROW;
         tile.pixel_angle = k == 0 ? view.pixel_angle : tile.pixel_angle;
     }
     return tile;
@@ -70,7 +75,7 @@ uvec2 tile_bodies(vec2 middle, uvec2 among) {
     int left = SPIN_MOST_STEPS;
     int looks = TILE_LOOKS;
     uvec2 bodies = uvec2(0u, 0u);
-    bool bundle = true;
+    bool bundle = tile.narrow;
     bool below = false;   // all bodies, for good
     bool more = among != uvec2(0u, 0u);
     do {

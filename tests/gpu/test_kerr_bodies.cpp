@@ -49,4 +49,20 @@ TEST_CASE("kerr bodies: hits, places and fates are the reference's at every pixe
     on_every_context([&](GpuSession& session) { judge.frames(session, Selection(4), cases); });
 }
 
+TEST_CASE("kerr bodies: panoramas so small that a tile is as wide as the sky show all of a sphere") {
+    constexpr double kOff = 0.2;  // of one ray a pixel
+    on_every_context([&](GpuSession& session) {
+        const auto drawn = [&](Draft draft) {
+            Scene scene = draft.place(20, 1.4).yaw(M_PI).size(48, 24).plane(2 * M_PI).sphere(6);
+            scene.camera.projection = Projection::kEquirectangular;
+            scene.picture.refine = false;
+            REQUIRE(session.renderer->prepare(scene));
+            return sum_of(session.renderer->picture());
+        };
+        const double still = drawn(Draft().sky(SkyKind::kBlack));
+        CHECK(still > 5);
+        CHECK(std::abs(drawn(about()) / still - 1) <= kOff);
+    });
+}
+
 }  // namespace
