@@ -279,20 +279,19 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
                    "float march_stop(Trace trace, vec3 tangent, float phi) { return " +
                    (ball_alone ? fmt::format("ball_beside({}, trace, tangent) ? 1.0e-9 : ", alone) : "") +
                    "max(phi, 1.0e-9); }\n";
-    // Steps of a surface are equal: as many as cross its bounding sphere, and as many again for a way that is bent. A ray past many bodies
-    // takes some steps for each.
+    // Steps of a surface are equal: those that cross its bounding sphere, twice for bent ways. Past many bodies a ray takes some for each.
     int across = 0;
     for (const Body& body : scene.bodies)
         if (const auto* surface = std::get_if<SurfaceSpec>(&body.shape)) across = std::max(across, 2 * surface->steps);
     const int steps = std::min((sides ? 256 : 128) + 8 * (static_cast<int>(marched) - 1), kMostSteps) + across;
-    // Between two samples no body is met, and of its distance a fifth is left, unless the step is the shortest: on a step of 0.8 of the room it
-    // changes by no more. But it may cover a part of the pixel.
+    // Between two samples no body is met, and of its distance a fifth is left, unless the step is the shortest: on a step of 0.8 of the room
+    // it changes by no more. But it may cover a part of the pixel.
     const std::string graze = !skims       ? "length < max(1.001 * frame.march.y, 4.0 * pixel)"
                               : across > 0 ? "true"
                                            : "length < 1.001 * frame.march.y || value < 5.0 * pixel";
-    const int probes = across > 0 ? 3 : 1;  // a surface may be thinner than the first one is long
-    return fmt::format("#define MARCH_MOST_STEPS {}\n#define MARCH_PROBES {}\n", steps, probes) + helpers + stop +
-           "vec2 march_ask(RayPlace place) {\n    float value = 1.0e30;\n    float room = 1.0e30;\n" + ask +
+    // A surface may be thinner than the first probe is long.
+    return fmt::format("#define MARCH_MOST_STEPS {}\n#define MARCH_PROBES {}\n", steps, across > 0 ? 3 : 1) + helpers +
+           stop + "vec2 march_ask(RayPlace place) {\n    float value = 1.0e30;\n    float room = 1.0e30;\n" + ask +
            "    return vec2(value, room);\n}\n" +
            (across > 0 ? "vec2 march_nearest(RayPlace place, float value) {\n    vec2 nearest = vec2(1.0e30, 1.0);\n"
                          "    float next = 0.0;\n" +

@@ -70,7 +70,7 @@ LightErrors check_light(Renderer& renderer, const std::string& name, const Scene
 }
 
 // Near and far, from any side.
-Scene moved(Scene scene, std::mt19937& random) {
+Scene seen_elsewhere(Scene scene, std::mt19937& random) {
     const auto among = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
     scene.camera.r *= std::exp(among(-1.2, 0.4));
     scene.camera.theta = among(0.05, 3.09);
@@ -94,7 +94,8 @@ TEST_CASE("lattice: light between its nodes is that of the pixels' rays" * test:
         ++scenes;
         CHECK(check_light(*session->renderer, info.name, scene, kSmooth).told > 0.2);
         for (int i = 0; i < poses; ++i)
-            check_light(*session->renderer, info.name, sized(moved(scene, random), width / 2, width * 9 / 32), kSmooth);
+            check_light(*session->renderer, info.name, sized(seen_elsewhere(scene, random), width / 2, width * 9 / 32),
+                        kSmooth);
     }
     CHECK(scenes >= test::by_depth(1, 4, 4));
 }
