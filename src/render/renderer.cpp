@@ -241,8 +241,10 @@ std::vector<Pass> Renderer::passes_with(Tiles most, Output output) const {
 std::vector<Pass> Renderer::picture_passes(Output output) const {
     if (most_built_tiles_ > most_tiles_) {
         std::vector<Pass> list = passes_with(most_built_tiles_, output);
-        if (std::ranges::all_of(
-                list, [&](const Pass& pass) { return programs_.contains(program_key(pass.stage, pass.output)); }))
+        const bool matter = std::ranges::find(list, Stage::kLattice, &Pass::stage) != list.end();
+        if (matter || std::ranges::all_of(list, [&](const Pass& pass) {
+                return programs_.contains(program_key(pass.stage, pass.output));
+            }))
             return list;
     }
     return passes_with(most_tiles_, output);

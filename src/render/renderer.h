@@ -57,7 +57,8 @@ public:
 
     // How much of a picture may be drawn in tiles (shaderlib/passes.h), for pictures of many pixels or many of them.
     void limit_tiles(Tiles most) { most_tiles_ = most; }
-    // The same, once build_next() has made all of the programs; until then Tiles::kBodies.
+    // The same, once build_next() has made all of the programs; until then Tiles::kBodies. Where light of matter is interpolated at once:
+    // to compile two programs more takes less than to trace it.
     void limit_tiles_once_built(Tiles most) { most_built_tiles_ = most; }
     // One program of those that are not there, some 0.1 s on software drivers; of a prepared scene. Returns whether one was left. Where the
     // driver compiles beside other work it returns at once, to be called again.

@@ -13,7 +13,7 @@ using namespace nullscope::test;
 
 constexpr int kThinBodiesSamples = 3;  // a side and pixel, of the reference
 // Of the light: edges are softened half a pixel outward where a body has corners, and to both sides where it is round.
-constexpr double kTotal = 0.06;
+constexpr double kTotalOfBodies = 0.06;
 
 Draft thin_about(const char* metric) {
     return Draft()
@@ -65,7 +65,7 @@ TEST_CASE("thin bodies: as much light as the reference's" * test::costly()) {
             fmt::print("{:<7} {:<35} light {:.4f} of the reference's {:.1f}\n", session.context->kind(), name,
                        drawn / all, all);
             CHECK(all > 1);
-            CHECK(std::abs(drawn / all - 1) <= kTotal);
+            CHECK(std::abs(drawn / all - 1) <= kTotalOfBodies);
         }
     });
 }
