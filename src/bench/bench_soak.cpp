@@ -50,6 +50,9 @@ public:
         camera.width = width + kind % 3, camera.height = height + kind % 2;
         camera.r = 1.02 * std::exp(2.5 * (1 + at(0, frame)));
         camera.theta = std::clamp(M_PI / 2 * (1 + at(1, frame)), 0.0, M_PI);
+        // A disc that looks narrow has a shader of its own: both are compiled where each kind of scene is seen first.
+        if (const int seen = frame % kFramesAScene; frame < kFramesAScene * kScenes && seen < 2)
+            camera.r = 10, camera.theta = seen == 0 ? M_PI / 2 : 1.0;
         camera.phi = 3 * at(2, frame);
         camera.yaw = 2 * at(3, frame), camera.pitch = at(4, frame), camera.roll = 3 * at(5, frame);
         camera.plane_width = 2 * std::tan(0.5 * (0.55 + 0.15 * at(6, frame)));  // the sky's texture keeps its size
