@@ -61,9 +61,9 @@ Feature narrow_disc() {
              "there is the effect refine, and a disc that looks narrow: by its radii, by camera.theta, or from afar",
              "a crossing more a ray"},
             [](const FrameFacts& f) {
-                const bool refines = f.so_far.contains(Effect::kRefine) && f.so_far.contains(Effect::kDisc);
+                if (!f.so_far.contains(Effect::kRefine) || !f.so_far.contains(Effect::kDisc)) return kNot;
                 return reason_if(
-                    refines && is_narrow(f.scene.camera, *f.scene.disc),
+                    is_narrow(f.scene.camera, *f.scene.disc),
                     fmt::format("camera.theta = {:.4g}, disc.inner = {:.4g}, disc.outer = {:.4g}",
                                 180.0 / M_PI * f.scene.camera.theta, f.scene.disc->inner, f.scene.disc->outer));
             },
