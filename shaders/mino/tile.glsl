@@ -39,13 +39,14 @@ TileBundle tile_bundle(vec2 middle) {
     TileBundle tile;
     tile.narrow = true;
     tile.captured = true;
-    vec3 ahead = spin_view(middle).direction;
+    vec3 ahead = vec3(0.0);
     for (int k = 0; k < TILE_RAYS; ++k) {
         SpinView view = spin_view(middle + tile_ray(k));
         tile.rays[k] = spin_ray(view);
         tile.now[k] = spin_start(tile.rays[k], view.direction);
         tile.behind[k] = 0.0;
         tile.captured = tile.captured && spin_captured(tile.rays[k], tile.now[k]);
+        ahead = k == 0 ? view.direction : ahead;
         tile.narrow = tile.narrow && dot(view.direction, ahead) > TILE_NARROW;
         tile.pixel_angle = k == 0 ? view.pixel_angle : tile.pixel_angle;
     }

@@ -74,19 +74,7 @@ TEST_CASE("refine: the same in tiles and in bands, and nothing changes where the
             const auto whole = drawn(renderer, scene, true);
             renderer.limit_tiles(Tiles::kTraced);
             CHECK(off_between(drawn(renderer, scene, true), whole).thousandth <= 1.0);
-            const gl::Target target = gl::make_target(190, 108, gl::Format::kRgba8);
-            for (const auto& [first, last] : {std::pair{0, 8}, {8, 33}, {33, 34}, {34, 64}, {64, 108}})
-                renderer.draw_rows(target.framebuffer.id(), 190, 108, Output::kDisplay, first, last);
-            std::vector<unsigned char> rgba(190 * 108 * 4);
-            gl::read_rgba8(target, rgba.data());
-            int off = 0;
-            for (int y = 0; y < 108; ++y)
-                for (int x = 0; x < 190; ++x)
-                    for (int c = 0; c < 3; ++c) {
-                        const auto at = static_cast<std::size_t>((107 - y) * 190 + x) * 4 + static_cast<std::size_t>(c);
-                        off = std::max(off, std::abs(rgba[at] - whole.at(x, y)[c]));
-                    }
-            CHECK(off <= 1);
+            CHECK(off_between(test::drawn_in_pieces(renderer, 190, 108, {0, 8, 33, 34, 64, 108}), whole).most <= 1);
             renderer.limit_tiles(Tiles::kBodies);
         });
     }

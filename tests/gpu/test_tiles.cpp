@@ -27,17 +27,7 @@ Scene sized(const std::string& name, int width, int height) {
     return scene;
 }
 
-// Near and far, from any side, past whatever is there.
-Scene moved(Scene scene, std::mt19937& random) {
-    const auto among = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-    scene.camera.r *= std::exp(among(-1.2, 0.4));
-    scene.camera.theta = among(0.05, 3.09);
-    scene.camera.phi = among(-3.14, 3.14);
-    scene.camera.yaw = among(-0.6, 0.6);
-    scene.camera.pitch = among(-0.4, 0.4);
-    scene.time += among(-30.0, 30.0);
-    return scene;
-}
+Scene moved(const Scene& scene, std::mt19937& random) { return test::seen_from_elsewhere(scene, random, 0.6, 0.4); }
 
 // About a rotating hole the two programs round differently, which moves what is looked up in the sky; a body that is missing is 100 times that.
 constexpr float kRounding = 5.0e-4f;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -13,7 +14,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "base/text.h"
@@ -38,6 +41,30 @@ inline double sum_of(const Image<float>& picture) {
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) sum += picture.at(x, y)[0];
     return sum;
+}
+
+// The prepared scene's picture of this size, drawn in pieces: from below, the rows between each of these and the next. Rows from the top.
+inline Image<unsigned char> drawn_in_pieces(Renderer& renderer, int width, int height, const std::vector<int>& ends) {
+    const gl::Target target = gl::make_target(width, height, gl::Format::kRgba8);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        renderer.draw_rows(target.framebuffer.id(), width, height, Output::kDisplay, ends[i], ends[i + 1]);
+    Image<unsigned char> rgba(width, height, 4), picture(width, height, 3);
+    gl::read_rgba8(target, rgba.data.data());
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) std::copy_n(&rgba.at(x, height - 1 - y)[0], 3, &picture.at(x, y)[0]);
+    return picture;
+}
+
+// A camera near and far, from any side, turned by at most these angles.
+inline Scene seen_from_elsewhere(Scene scene, std::mt19937& random, double yaw, double pitch) {
+    const auto among = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    scene.camera.r *= std::exp(among(-1.2, 0.4));
+    scene.camera.theta = among(0.05, 3.09);
+    scene.camera.phi = among(-3.14, 3.14);
+    scene.camera.yaw = yaw * among(-1.0, 1.0);
+    scene.camera.pitch = pitch * among(-1.0, 1.0);
+    scene.time += among(-30.0, 30.0);
+    return scene;
 }
 
 inline constexpr const char* kContextKinds[] = {"egl", "osmesa"};

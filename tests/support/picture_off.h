@@ -9,8 +9,10 @@
 
 namespace nullscope::test {
 
-struct Off {  // of 255: mean of all channels; what a thousandth of the pixels exceeds, by their worst channel
+struct
+    Off {  // of 255: mean of all channels; what a thousandth of the pixels exceeds, by their worst channel, and none does
     double mean = 0, thousandth = 0;
+    int most = 0;
 };
 
 inline Off off_between(const Image<unsigned char>& a, const Image<unsigned char>& b) {
@@ -24,9 +26,10 @@ inline Off off_between(const Image<unsigned char>& a, const Image<unsigned char>
         }
         worst.push_back(most);
     }
+    const int most = *std::ranges::max_element(worst);
     const auto at = worst.begin() + static_cast<std::ptrdiff_t>(worst.size() * 999 / 1000);
     std::nth_element(worst.begin(), at, worst.end());
-    return {sum / static_cast<double>(a.data.size()), static_cast<double>(*at)};
+    return {sum / static_cast<double>(a.data.size()), static_cast<double>(*at), most};
 }
 
 }  // namespace nullscope::test
