@@ -32,7 +32,3 @@ uvec2 without_first(uvec2 set) {
     uvec2 high = uvec2(0u, set.y & (set.y - 1u));
     return set.x != 0u ? low : high;
 }
-
-// As a texel: 16 bits a channel.
-vec4 texel_of(uvec2 set) { return vec4(float(set.x & 65535u), float(set.x >> 16u), float(set.y & 65535u), float(set.y >> 16u)); }
-uvec2 set_of(vec4 texel) { return uvec2(uint(texel.x) | (uint(texel.y) << 16u), uint(texel.z) | (uint(texel.w) << 16u)); }

@@ -1,4 +1,5 @@
 // Which bodies may a tile of the picture show? (object/tile.glsl) Rays take the middle's steps by Mino's time.
+#include "core/tile_bodies.glsl"
 #include "mino/march.glsl"
 #include "mino/ray.glsl"
 #include "mino/step.glsl"
@@ -64,10 +65,10 @@ float tile_step(inout TileBundle tile, int left) {
     return step;
 }
 
-// among: the only ones that it may show.
-uvec2 tile_bodies(vec2 middle, uvec2 among) {
+// among: the only ones that it may show, and where.
+TileBodies tile_bodies(vec2 middle, TileBodies among) {
 #ifdef MARCH_LISTS
-    bodies_near = among;
+    bodies_near = among.set;
 #endif
     TileBundle tile = tile_bundle(middle);
     RayPlace place = segment_place(tile.rays[0], spin_segment(tile.rays[0], tile.now[0], tile.now[0], 1.0), 0.0);
@@ -78,7 +79,7 @@ uvec2 tile_bodies(vec2 middle, uvec2 among) {
     uvec2 bodies = uvec2(0u, 0u);
     bool bundle = tile.narrow;
     bool below = false;   // all bodies, for good
-    bool more = among != uvec2(0u, 0u);
+    bool more = among.set != uvec2(0u, 0u);
     do {
         SpinState before = tile.now[0];
         float step = tile_step(tile, left);
@@ -110,5 +111,5 @@ uvec2 tile_bodies(vec2 middle, uvec2 among) {
         more = more && spin_goes(tile.now[0].y.w, end, left, true);
     } while (bundle && more && looks > 0);
     bool ends = below || tile.now[0].y.w < end;   // not at the horizon while others turn
-    return bundle && ends && looks > 0 && left > 0 ? bodies & among : among;
+    return tile_whole_way(bundle && ends && looks > 0 && left > 0 ? bodies & among.set : among.set);
 }

@@ -14,10 +14,13 @@ float ball_value(int i, RayPlace place) {
 }
 float ball_least(int i, RayPlace place) { return ball_value(i, place); }   // of its room
 #ifdef MARCH_PASSES
-float ball_room(int i, RayPlace place) {
-    return passing_room(place, place.at - ball_middle(i, place), body_form(i).w, passing_course(place), passing_bend(place), ball_value(i, place));
+Passing ball_passing(int i, RayPlace place) {
+    return passing_ball(place, place.at - ball_middle(i, place), body_form(i).w, passing_course(place), passing_bend(place), ball_value(i, place));
 }
+float ball_room(int i, RayPlace place) { return ball_passing(i, place).room; }
+float ball_stride(int i, RayPlace place) { return ball_passing(i, place).stride; }
 #else
 float ball_room(int i, RayPlace place) { return ball_value(i, place); }
+float ball_stride(int i, RayPlace place) { return ball_room(i, place); }
 #endif
 vec3 ball_normal(int i, RayPlace place) { return (place.at - ball_middle(i, place)) / body_form(i).w; }

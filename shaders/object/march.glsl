@@ -2,7 +2,7 @@
 // on either side of its surface. march_ask (written for the scene): a value, below 0 inside of a body, and the room, how far along the ray the
 // nearest is at least; march_nearest: of the body that is nearest, its distance and by how much more its value changes; march_object: which one;
 // march_round: the radius of the thinnest if all are round and of one size, or none; march_clear: how
-// far the nearest is from a place, at least, of those that are not in a set, to which those nearer than `near` are added.
+// far the nearest is from a place, at least, of those that are not in a set, to which those nearer than `near` are added; and of all.
 // march_list: of lists of bodies, those that a part of the way may touch; the others of a list are not asked there.
 //
 // A body that the ray only grazes lies between two steps: where three values fall and rise again, the least between them is
@@ -12,6 +12,7 @@
 // swept angle of an orbit; mino/march.glsl: the fraction of a step about a rotating hole), the place there, the value, and how wide a pixel
 // is, on the mean and on its shorter side. MARCH_PROBES: how many probes are made behind a surface at most.
 #include "generated/bodies_march"
+#include "object/room.glsl"
 #include "object/round.glsl"
 #include "path/place"
 #include "path/way"
@@ -313,7 +314,7 @@ float march_outside(RayPlace place, float reach) { return min(place.r - 1.5 * re
 // unnoticed between two samples.
 float march_length(RayPlace place, float room, float reach) {
     if (place.r > 2.0 * reach) return march_outside(place, reach);
-    float length = min(0.8 * room, march_farthest(place));
+    float length = min(ROOM_PART * room, march_farthest(place));
 #ifdef NEEDS_PLACE_LATE
     return max(length, frame.march.y / place_slowness(place));
 #else

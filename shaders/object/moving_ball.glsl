@@ -71,7 +71,7 @@ float moving_ball_value(int i, RayPlace place) {
 float moving_ball_away(int i, RayPlace place) { return moving_ball_value(i, place) / (1.0 + body_form(i).z * place_slowness(place)); }
 #ifdef MARCH_PASSES
 // How long light takes for a length changes by no more than slowness^2 of how much light bends.
-float moving_ball_room(int i, RayPlace place) {
+Passing moving_ball_passing(int i, RayPlace place) {
     BallPath path = moving_ball_path(i, place);
     vec4 form = body_form(i);
     vec3 offset = place.at - ball_path_place(path);
@@ -87,12 +87,17 @@ float moving_ball_room(int i, RayPlace place) {
 #endif
     float most = PASSING_SLOWER * slowness;
     float bend = passing_bend(place) * (1.0 + form.z * most * most) + path.bend * most * most;
-    float passing = passing_room(place, offset, form.w, passing_course(place) - steps * step, bend, room);
+    Passing passing = passing_ball(place, offset, form.w, passing_course(place) - steps * step, bend, room);
     float known = (float(BALL_PATH_AHEAD) - f) / (form.y * most);
     known = place.delay >= form.x ? known : 0.0;
-    return max(room, min(passing, known));
+    passing.room = max(room, min(passing.room, known));
+    passing.stride = max(room, min(passing.stride, known));
+    return passing;
 }
+float moving_ball_room(int i, RayPlace place) { return moving_ball_passing(i, place).room; }
+float moving_ball_stride(int i, RayPlace place) { return moving_ball_passing(i, place).stride; }
 #else
 float moving_ball_room(int i, RayPlace place) { return moving_ball_away(i, place); }
+float moving_ball_stride(int i, RayPlace place) { return moving_ball_room(i, place); }
 #endif
 vec3 moving_ball_normal(int i, RayPlace place) { return (place.at - moving_ball_middle(i, place)) / body_form(i).w; }

@@ -62,6 +62,7 @@ struct TileLook {
     bool bundle;   // the rays keep together
     uvec2 bodies;  // that a ray of the tile may be at there, and those known before
     float free;    // how far on none of the others is, r_s
+    float nearest; // how far on none at all is
     float spread;  // how far from the middle ray they are there
 };
 
@@ -70,7 +71,9 @@ TileLook tile_look(RayPlace place, TileSpread corners, float way, float pixel_an
     TileLook look;
     look.spread = max(TILE_SPREAD * corners.across, 1.5 * tile_longest() * pixel_angle * way);
     look.bodies = bodies;
-    look.free = march_clear(place, look.spread + max(TILE_LEAST * look.spread, frame.march.y), look.bodies) - look.spread;
+    vec2 clear = march_clear(place, look.spread + max(TILE_LEAST * look.spread, frame.march.y), look.bodies) - look.spread;
+    look.free = clear.x;
+    look.nearest = clear.y;
     look.bundle = corners.offset < TILE_WIDEST * place.r;   // not where they are no numbers
     return look;
 }

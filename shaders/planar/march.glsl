@@ -1,6 +1,7 @@
 // Solid bodies along an orbit (object/march.glsl).
 #include "core/trig.glsl"
 #include "object/march.glsl"
+#include "object/room.glsl"
 #include "planar/place.glsl"
 #include "object/solid_hit.glsl"
 #include "shared/frame.glsl"
@@ -11,9 +12,9 @@
 // How far to the next sample.
 float march_step(RayPlace place, float room, float reach) {
 #ifdef EFFECT_SIDES
-    return max(min(0.8 * room, 0.4 * place.radius), frame.march.y);
+    return max(min(ROOM_PART * room, 0.4 * place.radius), frame.march.y);
 #else
-    return max(march_length(place, room, reach), 0.8 * (frame.march_shell.y - place.r));   // far from the innermost body
+    return max(march_length(place, room, reach), ROOM_PART * (frame.march_shell.y - place.r));   // far from the innermost body
 #endif
 }
 
@@ -81,7 +82,7 @@ Search search_samples(Search search) {
 #endif
     do {
 #ifdef MARCH_LISTS
-        search.length = min(search.length, max(search.listed, 0.8 * (frame.march_shell.y - search.place.r)));
+        search.length = min(search.length, max(search.listed, ROOM_PART * (frame.march_shell.y - search.place.r)));
         search.listed -= search.length;
 #endif
         float next = min(search.phi + max(place_part(search.place, search.length), MARCH_LEAST * search.phi), search.phi_stop);
@@ -148,18 +149,27 @@ Search search_contact(Search search, float blur) {
     return search;
 }
 
+// The part of the way on which the tile's bodies may be met.
+#ifdef MARCH_LISTS
+float march_begin(Trace trace) { return min(march_first, trace.phi_end); }
+float march_end(float phi_stop) { return min(phi_stop, max(march_last, 1.0e-9)); }
+#else
+float march_begin(Trace trace) { return 0.0; }
+float march_end(float phi_stop) { return phi_stop; }
+#endif
+
 SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     Search search;
     search.way.trace = trace;
     search.way.tangent = tangent;
-    search.phi_stop = phi_stop;
+    search.phi_stop = march_end(phi_stop);
 #ifdef EFFECT_SIDES
     search.reach = trace.escapes ? frame.march.x : frame.march.z;   // on the side where the ray ends
 #else
     search.reach = frame.march.x;
 #endif
-    search.place = place_of(trace, tangent, 0.0);
-    search.phi = 0.0;
+    search.phi = march_begin(trace);
+    search.place = place_of(trace, tangent, search.phi);
     search.left = MARCH_MOST_STEPS;
     search.going = true;
     search.entered = false;
@@ -167,7 +177,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
     search.hit.phi = trace.phi_end;
     search.hit.covered = 0.0;
     search.hit.place = search.place;
-    search.before_phi = 0.0;
+    search.before_phi = search.phi;
     search.before_value = 0.0;   // none: nothing is left behind
 #ifdef MARCH_LISTS
     search.listed = 0.0;
@@ -175,7 +185,7 @@ SolidHit march_hit(Trace trace, vec3 tangent, float phi_stop, float blur) {
 #endif
     // From one place that may be on a body to the next: what is done there is outside of the loop of samples, for all rays at once.
 #ifdef WAY_BETWEEN
-    if (search.place.r > 2.0 * search.reach) search.phi = min(place_part(search.place, march_outside(search.place, search.reach)), phi_stop);
+    if (search.place.r > 2.0 * search.reach) search.phi = min(search.phi + place_part(search.place, march_outside(search.place, search.reach)), search.phi_stop);
     search.before_phi = search.phi;
     search.span = march_span(search.phi, 1.0e30);
     do {

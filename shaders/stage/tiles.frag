@@ -5,14 +5,16 @@
 #include "shared/frame.glsl"
 #include "stage/tile_kind.glsl"
 #ifdef TILES_OF_BODIES
-#include "core/bits.glsl"
+#include "core/tile_bodies.glsl"
 #include "path/tile"
 
 uniform highp sampler2D tile_texture;   // of the first pass
 
-uvec2 tile_among() {
+TileBodies tile_among() {
     ivec2 first = ivec2(gl_FragCoord.xy) / FIRST_TILES;
-    return tile_scale > 1 ? TILE_ALL : set_of(texelFetch(tile_texture, first, 0));
+    TileBodies among = tile_bodies_of(texelFetch(tile_texture, first, 0));
+    if (tile_scale > 1) among = tile_whole_way(TILE_ALL);
+    return among;
 }
 #endif
 #ifdef TILES_OF_DISC

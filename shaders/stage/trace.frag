@@ -8,7 +8,7 @@
 vec4 pixel_light(vec2 pixel) { return ray_light(pixel); }
 #endif
 #ifdef TILES_WITH_BODIES
-#include "core/bits.glsl"
+#include "core/tile_bodies.glsl"
 #include "generated/bodies_march"
 
 flat in highp vec4 tile_set;   // stage/tile.vert
@@ -19,7 +19,10 @@ out vec4 colour;
 void main() {
 #ifdef TILES_WITH_BODIES
 #ifdef MARCH_LISTS
-    bodies_shown = set_of(tile_set);
+    TileBodies bodies = tile_bodies_of(tile_set);
+    bodies_shown = bodies.set;
+    march_first = bodies.first;
+    march_last = bodies.last;
 #endif
 #endif
 #ifdef NEEDS_SAMPLING

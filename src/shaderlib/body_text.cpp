@@ -190,7 +190,7 @@ std::string object_statement(const Group& group, const std::string& value) {
 std::string clear_statement(const std::string& away) {
     return fmt::format(
         "    next = {};\n    if (!(next >= near)) bodies = with_bit(i, bodies);\n"
-        "    if (!bit_in(i, bodies)) away = min(away, next);\n",
+        "    if (!bit_in(i, bodies)) away.x = min(away.x, next);\n    away.y = min(away.y, next);\n",
         away);
 }
 
@@ -239,7 +239,9 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
         helpers +=
             "#define MARCH_LISTS\n"
             "uvec2 bodies_shown = uvec2(0xffffffffu, 0xffffffffu);   // by this tile\n"
-            "uvec2 bodies_near = uvec2(0xffffffffu, 0xffffffffu);    // to the next part of the way\n";
+            "uvec2 bodies_near = uvec2(0xffffffffu, 0xffffffffu);    // to the next part of the way\n"
+            "float march_first = 0.0;      // none of them is met at a smaller swept angle\n"
+            "float march_last = 1.0e30;    // or at a larger one\n";
     std::size_t marched = 0, alone = 0;
     bool skims = false;  // there is a body whose room is a way along the ray, not a distance
     for (const Group& group : groups) {
@@ -254,10 +256,12 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
         if (sides) helpers += by_side(group);
         const std::string name = sides ? group.name : group.shape.name, suffix = sides ? "_by_side" : "";
         const auto here = [&](const char* what) { return fmt::format("{}_{}{}(i, place)", name, what, suffix); };
+        const bool strides = !sides && (group.shape.name == "ball" || group.shape.name == "moving_ball");
         const std::string far = here(has_distance(group) ? "distance" : "value");
-        ask += for_each(
-            group, fmt::format("    value = min(value, {});\n    room = min(room, {});\n", here("value"), here("room")),
-            near);
+        ask += for_each(group,
+                        fmt::format("    value = min(value, {});\n    room = min(room, {});\n", here("value"),
+                                    here(strides ? "stride" : "room")),
+                        near);
         nearest +=
             for_each(group,
                      fmt::format("    next = {0};\n    if (abs(next) < abs(nearest.x)) nearest = vec2(next, {1});\n",
@@ -301,8 +305,8 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
                         list.close + "    bodies_near = uvec2(0u, 0u);\n" + list.near + "}\n"
                   : "") +
            (groups.front().shape.marched ? "" : "#define TILES_HAVE_SPHERE\n") +
-           (has_tiles(effects) ? "float march_clear(RayPlace place, float near, inout uvec2 bodies) {\n    float away "
-                                 "= 1.0e30;\n    float next = 0.0;\n" +
+           (has_tiles(effects) ? "vec2 march_clear(RayPlace place, float near, inout uvec2 bodies) {\n    vec2 away "
+                                 "= vec2(1.0e30);\n    float next = 0.0;\n" +
                                      clear + "    return away;\n}\n"
                                : "") +
            "bool march_grazes(float length, float value, float pixel) { return " + graze +
