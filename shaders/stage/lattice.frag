@@ -1,18 +1,22 @@
 // A lattice of the light of matter: rays are followed where the next coarser lattice does not tell it (stage/lattice.glsl).
 #include "core/view.glsl"
+#ifndef LATTICE_TOLD
 #include "path/medium"
 #include "path/trace"
+#endif
 #include "stage/lattice.glsl"
 
 uniform int lattice_drawn;   // px between the nodes of this one
 
 out vec4 colour;
 
+#ifndef LATTICE_TOLD
 vec4 lattice_traced(vec2 pixel) {
     Trace trace = trace_pixel(pixel);
     MediumWalk walk = medium_to(trace, medium_walk(trace, pixel), 1.0e30);
     return lattice_texel(walk.sum.light, walk.sum.through, trace.escapes);
 }
+#endif
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
@@ -20,5 +24,7 @@ void main() {
     vec2 place = float(lattice_drawn) * (node - 1.0 + float(texel.x % 2) * probe_part(node));
     LatticeLight found = lattice_light(place);
     colour = lattice_texel(found.light, found.through, found.escapes);
+#ifndef LATTICE_TOLD
     if (!found.known) colour = lattice_traced(picture_place(place));
+#endif
 }

@@ -1,8 +1,12 @@
 // Light of matter on a lattice of the picture, and between its nodes (render/light_lattice.h). A texel each for a node and for a place in the
 // cell to its right and above, in turn. rgb: light; a: what of the light behind comes through, of a ray to the sky; of others -1 less that.
 uniform highp sampler2D lattice_texture;
-uniform highp sampler2D cell_texture;   // a texel a cell (stage/lattice_cells.frag): 1 where the lattice tells the light
+uniform highp sampler2D cell_texture;   // a texel a cell (stage/lattice_cells.frag): how the lattice tells the light there
 uniform int lattice_side;               // px between its nodes; 0: there is none
+
+#define LATTICE_CUBIC 1.0    // by the four by four nodes about the cell
+#define LATTICE_LINEAR 0.5   // by its own: next to the shadow's edge
+#define LATTICE_RAYS 0.0     // not at all
 
 struct LatticeLight {
     bool known;
@@ -24,12 +28,12 @@ vec2 probe_part(vec2 cell) {
     return 0.3 + 0.4 * fract(turned);
 }
 
-// Of four values at -1, 0, 1 and 2: the cubic through them.
-vec4 lattice_weights(float t) {
+// Of four values at -1, 0, 1 and 2: the cubic through them, or the line through the middle ones.
+vec4 lattice_weights(float t, bool cubic) {
     float a = t + 1.0;
     float b = t - 1.0;
     float c = t - 2.0;
-    return vec4(-t * b * c, 3.0 * a * b * c, -3.0 * a * t * c, a * t * b) * (1.0 / 6.0);
+    return cubic ? vec4(-t * b * c, 3.0 * a * b * c, -3.0 * a * t * c, a * t * b) * (1.0 / 6.0) : vec4(0.0, -b, t, 0.0);
 }
 
 vec4 lattice_row(ivec2 node, vec4 right) {
@@ -37,9 +41,9 @@ vec4 lattice_row(ivec2 node, vec4 right) {
 }
 
 // In the cell whose lower left node is the second of four by four.
-vec4 lattice_between(ivec2 first, vec2 part) {
-    vec4 right = lattice_weights(part.x);
-    vec4 up = lattice_weights(part.y);
+vec4 lattice_between(ivec2 first, vec2 part, bool cubic) {
+    vec4 right = lattice_weights(part.x, cubic);
+    vec4 up = lattice_weights(part.y, cubic);
     return up.x * lattice_row(first, right) + up.y * lattice_row(first + ivec2(0, 1), right) +
            up.z * lattice_row(first + ivec2(0, 2), right) + up.w * lattice_row(first + ivec2(0, 3), right);
 }
@@ -50,8 +54,9 @@ LatticeLight lattice_light(vec2 place) {
     vec2 cell = floor(at);
     ivec2 first = clamp(ivec2(cell) - 1, ivec2(0), textureSize(cell_texture, 0) - 4);
     LatticeLight found;
-    found.known = lattice_side > 0 && first == ivec2(cell) - 1 && texelFetch(cell_texture, ivec2(first + 1), 0).r > 0.5;
-    vec4 here = lattice_between(first, at - cell);
+    float told = texelFetch(cell_texture, first + 1, 0).r;
+    found.known = lattice_side > 0 && first == ivec2(cell) - 1 && told > LATTICE_RAYS;
+    vec4 here = lattice_between(first, at - cell, told > LATTICE_LINEAR);
     found.escapes = here.a > -0.5;
     found.light = max(here.rgb, vec3(0.0));
     found.through = clamp(found.escapes ? here.a : -1.0 - here.a, 0.0, 1.0);

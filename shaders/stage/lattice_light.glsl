@@ -32,8 +32,12 @@ vec4 with_way(vec4 light) { return vec4(light.rgb, LATTICE_WAY * light.a); }
 
 vec4 pixel_light(vec2 pixel) {
     LatticeLight matter = lattice_light(picture_fragment(pixel) * sampling_share());
+#ifdef LATTICE_TOLD
+    vec4 light = light_behind(matter, pixel);
+#else
     vec4 light;
     if (matter.known) light = light_behind(matter, pixel);
     else light = ray_light(pixel);
+#endif
     return with_way(light);
 }

@@ -128,6 +128,7 @@ Result<Json> moving_cost(const Bench& bench, const Scene& scene, int frames) {
     constexpr int kWarmUp = 6;      // frames that compile, and after which a flight's first tables are there
     Scene moved = scene;
     TRY(ready, bench.prepare(moved, scene));
+    bench.renderer().draft(true);  // as the viewer does in motion
     struct Camera {
         Renderer& renderer;
         Samples host{}, frame{};
@@ -206,8 +207,10 @@ void add_bench_frames(Command& bench) {
     draw_options(command, options, 9);
     command.add_option("--poses", &options.poses, "Also time this many random camera poses of each scene")
         .in_range(0, 10000);
-    command.add_flag("--moving", &options.moving,
-                     "Instead: what the host adds to a frame of a camera whose radius changes, beside one at rest");
+    command.add_flag(
+        "--moving", &options.moving,
+        "Instead: a frame in motion, of a camera whose radius changes, and what the host adds to it, beside one at "
+        "rest; light of matter is interpolated to 5 % in motion, to 0.5 % at rest");
     command.add_flag("--refined", &options.refined,
                      "Also the picture at rest, whose edges have more rays, beside the one in flight");
     command.add_flag("--effects", &options.effects,

@@ -12,7 +12,8 @@ int nodes(int length, int side) { return (length - 1) / side + 5; }
 
 void LightLattice::resize(const std::vector<Pass>& passes, int width, int height) {
     if (std::ranges::find(passes, Stage::kLattice, &Pass::stage) == passes.end()) {
-        *this = LightLattice();
+        levels_ = {};
+        none_ = {};
         return;
     }
     height_ = height;
@@ -45,16 +46,22 @@ void LightLattice::extend(std::size_t number, const Programs& programs, int last
     const auto drawn = [&](int rows) { return rows == 0 ? 0 : rows < height_ ? std::min(nodes(rows, side), up) : up; };
     const int from = drawn(level.rows), to = drawn(last);
     if (number > 0) extend(number - 1, programs, std::min((to - 1) * side, height_));
-    const auto draw = [&](const gl::Program& program, const gl::Target& target, int before, int after) {
-        gl::draw_rows(program, programs.empty, target.framebuffer.id(), target.width, target.height, before, after);
-    };
     bind(number > 0 ? levels_[number - 1] : none_);
-    gl::set_integer(programs.nodes, "lattice_side", number > 0 ? kSides[number - 1] : 0);
-    gl::set_integer(programs.nodes, "lattice_drawn", side);
-    draw(programs.nodes, level.nodes, from, to);
+    const auto draw_nodes = [&](const gl::Program& program) {
+        gl::set_integer(program, "lattice_side", number > 0 ? kSides[number - 1] : 0);
+        gl::set_integer(program, "lattice_drawn", side);
+        gl::set_integer(program, "lattice_across", level.nodes.width);
+        gl::set_integer(program, "lattice_up", up);
+        gl::draw_tiles(program, programs.empty, level.nodes.framebuffer.id(), level.nodes.width, up, kTileSide, from,
+                       to);
+    };
+    draw_nodes(programs.traced);
+    if (number > 0) draw_nodes(programs.told);
     // The cells of these rows: those above their nodes are not there yet.
     gl::bind_texture_2d(first_, level.nodes.colours.front());
-    draw(programs.cells, level.cells, std::max(from - 3, 0), to == up ? up : to - 3);
+    gl::set_integer(programs.cells, "lattice_error", error_);
+    gl::draw_rows(programs.cells, programs.empty, level.cells.framebuffer.id(), level.cells.width, up,
+                  std::max(from - 3, 0), to == up ? up : to - 3);
     level.rows = last;
 }
 

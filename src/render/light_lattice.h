@@ -14,12 +14,16 @@ public:
     // For a picture of this size by these passes; frees what they do not need. Binds textures of its own to unit 0.
     void resize(const std::vector<Pass>& passes, int width, int height);
 
+    // How far the light that they tell may be off where it is compared with a ray's: thousandths of it. kDraftError: for pictures in motion.
+    static constexpr int kError = 5, kDraftError = 50;
+    void tell_to(int thousandths) { error_ = thousandths; }
+
     // Before the picture is drawn.
     void begin();
 
-    // Programs of the stages kLattice and kLatticeCells.
+    // Programs of the stages kLattice, kLatticeTold and kLatticeCells.
     struct Programs {
-        const gl::Program &nodes, &cells;
+        const gl::Program &traced, &told, &cells;
         const gl::VertexArray& empty;
     };
     // So that it tells the picture's rows before `last`; after bind(). Cost: a ray in some thirty pixels where the light is smooth, one in eight
@@ -40,7 +44,7 @@ private:
     void extend(std::size_t number, const Programs& programs, int last);
     void bind(const Level& level);
 
-    int first_ = 0, height_ = 0;
+    int error_ = kError, first_ = 0, height_ = 0;
     std::array<Level, kSides.size()> levels_;
     Level none_;  // read while the coarsest is drawn
 };

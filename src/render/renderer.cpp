@@ -146,9 +146,10 @@ bool Renderer::scatters_or_meters() const {
 void Renderer::find_before(const Pass& pass, int first, int last) {
     if (pass.stage == Stage::kLattice) {
         if (first == 0) lattice_.begin();
-        lattice_.extend({program(Stage::kLattice, pass.output), program(Stage::kLatticeCells, pass.output), empty_},
+        lattice_.extend({program(Stage::kLattice, pass.output), program(Stage::kLatticeTold, pass.output),
+                         program(Stage::kLatticeCells, pass.output), empty_},
                         last);
-    } else if (first == 0 && pass.stage != Stage::kLatticeCells) {
+    } else if (first == 0 && !draws_lattice(pass.stage)) {
         picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
     }
 }

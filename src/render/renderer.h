@@ -71,6 +71,9 @@ public:
     // Whether pixels on edges get more rays, where the scene calls for it; the programs are the same.
     void refine(bool wanted) { refining_ = wanted; }
 
+    // Whether the light of matter may be off by 5 % in place of 0.5 % where it is interpolated: of pictures in motion. The programs are the same.
+    void draft(bool wanted) { lattice_.tell_to(wanted ? LightLattice::kDraftError : LightLattice::kError); }
+
     // How the images of point stars in a new view about a rotating hole are found, from the next prepare() on.
     void search_stars(StarField::Search search) { star_search_ = std::move(search); }
     // Whether that search is what a new view waits for; of the prepared scene.

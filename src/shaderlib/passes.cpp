@@ -38,10 +38,12 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
     } else if (tiles >= Tiles::kInterpolated && !effects.contains(Effect::kSamples) && interpolates_matter(effects)) {
         list.push_back({Stage::kLattice, Output::kLinear, "lattices of matter",
                         "its light 16, 8 and 4 px apart, finer where it is not smooth"});
+        list.push_back({Stage::kLatticeTold, Output::kLinear, "told by coarser",
+                        "nodes of a lattice whose light the next coarser one tells"});
         list.push_back({Stage::kLatticeCells, Output::kLinear, "cells of these",
                         "where the light between their nodes is told by them to 0.5 %"});
-        list.push_back({Stage::kLatticePicture, light, "picture",
-                        "the light of matter by these, elsewhere along the pixel's ray"});
+        list.push_back({Stage::kMatterTold, light, "tiles told by lattices", "the light of matter by these"});
+        list.push_back({Stage::kMatterTraced, light, "tiles of matter", "elsewhere it is that of the pixel's ray"});
     } else {
         list.push_back({Stage::kPicture, light, "picture",
                         "one triangle over the picture: every pixel traces its ray and shades what it meets"});

@@ -130,9 +130,11 @@ constexpr StageFiles kStageFiles[] = {  // by Stage
     {kTile, "stage/trace.frag"},
     {kTile, "stage/trace.frag"},
     {kInterpolated, "stage/interpolated_rays.frag"},
-    {kFullscreen, "stage/lattice.frag"},
+    {"stage/lattice_nodes.vert", "stage/lattice.frag"},
+    {"stage/lattice_nodes.vert", "stage/lattice.frag"},
     {kFullscreen, "stage/lattice_cells.frag"},
-    {"stage/picture.vert", "stage/trace.frag"},
+    {"stage/lattice_picture.vert", "stage/trace.frag"},
+    {"stage/lattice_picture.vert", "stage/trace.frag"},
     {kFullscreen, "stage/ray_list.frag"}};
 
 const EmbeddedShader* find_file(std::string_view path) {
@@ -179,8 +181,9 @@ std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Ou
     }
     if (stage == Stage::kTilesInterpolated) defines.emplace_back("TILES_INTERPOLATED");
     if (stage == Stage::kBodyTiles) defines.emplace_back("TILES_WITH_BODIES");
-    if (stage == Stage::kLatticePicture) defines.emplace_back("MATTER_LATTICE");
-    if (stage == Stage::kLatticePicture && (effects.contains(Effect::kSky) || effects.contains(Effect::kSkyPattern)))
+    if (stage == Stage::kLatticeTold || stage == Stage::kMatterTold) defines.emplace_back("LATTICE_TOLD");
+    if (is_of_matter(stage)) defines.emplace_back("MATTER_LATTICE");
+    if (is_of_matter(stage) && (effects.contains(Effect::kSky) || effects.contains(Effect::kSkyPattern)))
         defines.emplace_back("LATTICE_BEFORE_SKY");
     if (draws_picture(stage)) defines.emplace_back("NEEDS_FOOTPRINT");
     if (draws_picture(stage) && output == Output::kDisplay) defines.emplace_back("DISPLAY_ENCODE");

@@ -16,7 +16,8 @@ namespace nullscope {
 // kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated;
 // in the others kSkyTiles, where neither body nor disc is seen; kFullDisc, where nothing but the disc is; kDiscTiles, where no body is;
 // kBodyTiles, the rest. kInterpolatedRays: where interpolated rays go, for tests.
-// kLattice: the light of matter on a lattice of the picture; kLatticeCells: where it tells the light between its nodes; kLatticePicture: the picture by it.
+// kLattice: the light of matter on a lattice of the picture, by rays; kLatticeTold: by the next coarser one; kLatticeCells: where it tells the light
+// between its nodes. kMatterTold: the tiles of a picture that it tells; kMatterTraced: the others.
 // kRayList: ray data of a list, one ray a fragment.
 enum class Stage {
     kPicture,
@@ -40,8 +41,10 @@ enum class Stage {
     kBodyTiles,
     kInterpolatedRays,
     kLattice,
+    kLatticeTold,
     kLatticeCells,
-    kLatticePicture,
+    kMatterTold,
+    kMatterTraced,
     kRayList
 };
 inline constexpr int kTileSide = 8;    // px
@@ -58,15 +61,23 @@ constexpr bool knows_scene(Stage stage) {
 // kDisplay: exposure and sRGB encoding in the shader (8-bit targets). kLayers: linear light of one layer (render/picture_layers.h).
 enum class Output { kLinear, kDisplay, kLayers };
 
+// Does a stage draw tiles of a picture by lattices of matter?
+constexpr bool is_of_matter(Stage stage) { return stage == Stage::kMatterTold || stage == Stage::kMatterTraced; }
+
+// Does a stage draw a lattice's nodes, or mark its cells?
+constexpr bool draws_lattice(Stage stage) {
+    return stage == Stage::kLattice || stage == Stage::kLatticeTold || stage == Stage::kLatticeCells;
+}
+
 // Does a stage draw the picture, whole or in part?
 constexpr bool draws_picture(Stage stage) {
-    return stage == Stage::kPicture || stage == Stage::kLatticePicture || stage == Stage::kInterpolated ||
+    return stage == Stage::kPicture || is_of_matter(stage) || stage == Stage::kInterpolated ||
            stage == Stage::kSkyTiles || stage == Stage::kFullDisc || stage == Stage::kDiscTiles ||
            stage == Stage::kBodyTiles;
 }
 
 // In one triangle?
-constexpr bool is_whole(Stage stage) { return stage == Stage::kPicture || stage == Stage::kLatticePicture; }
+constexpr bool is_whole(Stage stage) { return stage == Stage::kPicture; }
 
 // Does a stage tell what the picture's tiles may show?
 constexpr bool finds_tiles(Stage stage) {
@@ -79,9 +90,7 @@ constexpr bool is_in_tiles(Stage stage) {
 }
 
 // Does it tell what the picture's rows ask for, before these are drawn?
-constexpr bool goes_before(Stage stage) {
-    return stage == Stage::kRays || finds_tiles(stage) || stage == Stage::kLattice || stage == Stage::kLatticeCells;
-}
+constexpr bool goes_before(Stage stage) { return stage == Stage::kRays || finds_tiles(stage) || draws_lattice(stage); }
 
 // What every text begins with: the language, and that all is exact; GLSL ES (of browsers) gives samplers few digits unless it is asked.
 enum class Glsl { k330, kEs300 };

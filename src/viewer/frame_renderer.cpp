@@ -98,6 +98,7 @@ double FrameRenderer::coarseness(const PaintJob& job) {
 Status FrameRenderer::prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search) {
     renderer_.search_stars(search);
     renderer_.refine(!search.quick);  // by the same programs
+    renderer_.draft(search.quick);
     renderer_.set_method(job.method);
     renderer_.set_adaptation(job.adaptation);
     split_ = job.rays ? std::nullopt : halves(scene);
@@ -109,6 +110,7 @@ Status FrameRenderer::prepare(const Scene& scene, const PaintJob& job, const Sta
     }
     right_->search_stars(search);
     right_->refine(!search.quick);
+    right_->draft(search.quick);
     // The right half's spacetime may not have the left one's method.
     const SpacetimeSpec& other = split_->right.spacetime;
     const auto spacetime = make_spacetime(other.metric, other.parameters);
