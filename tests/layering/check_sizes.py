@@ -20,7 +20,6 @@ MEMBERS = {"src/viewer/viewer.h": ("Viewer", 35)}   # of that class, at most
 ROWS = "rows of a table"
 EXCEPTIONS = {
     "src/viewer/scene_editor.cpp": (440, "fields of the kinds of keys, and the panel of them"),
-    "scripts/convert_grmhd.py": (440, "formats of other programs in one script that needs no package of ours"),
     "src/cli/capture_options.cpp:add_capture_options": (90, ROWS),
     "src/plan/bodies_features.cpp:bodies_features": (70, ROWS),
     "src/plan/disc_features.cpp:disc_features": (130, ROWS),
