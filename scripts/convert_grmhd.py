@@ -23,6 +23,7 @@ sys.dont_write_bytecode = True   # next to the sources
 
 import numpy as np
 
+from grmhd.athena import CARTESIAN
 from grmhd.common import RATIO, fail, said
 from grmhd.nodes import resampled
 from grmhd.readers import read
@@ -92,8 +93,10 @@ def options():
                         "256; 160, 128, 128 of Cartesian cells)")
     parser.add_argument("--spin", type=float, metavar="A", help="a/M of the hole, -1 to 1, where the file does not hold it")
     parser.add_argument("--adiabatic-index", type=float, metavar="GAMMA", help="of the gas, where the file does not hold it")
+    parser.add_argument("--code-mass", type=float, metavar="M", help="of Athena++: m of the input's <coord>, the unit of lengths (mostly 1)")
+    parser.add_argument("--coordinates", choices=[CARTESIAN], help="of Athena++'s gr_user: what its user's coordinates are")
     wanted = parser.parse_args()
-    for name in ("density_unit", "r_high", "r_low", "sigma_cut", "outer"):
+    for name in ("density_unit", "r_high", "r_low", "sigma_cut", "outer", "code_mass"):
         value = getattr(wanted, name)
         if value is not None and not (0 < value < math.inf):
             fail(f"--{name.replace('_', '-')} {value}; allowed: above 0")
