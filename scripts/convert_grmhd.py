@@ -95,6 +95,7 @@ def options():
     parser.add_argument("--adiabatic-index", type=float, metavar="GAMMA", help="of the gas, where the file does not hold it")
     parser.add_argument("--code-mass", type=float, metavar="M", help="of Athena++: m of the input's <coord>, the unit of lengths (mostly 1)")
     parser.add_argument("--coordinates", choices=[CARTESIAN], help="of Athena++'s gr_user: what its user's coordinates are")
+    parser.add_argument("--field-has-lapse", choices=["yes", "no"], help="of H-AMR: whether its B^i are *F^it times the lapse")
     wanted = parser.parse_args()
     for name in ("density_unit", "r_high", "r_low", "sigma_cut", "outer", "code_mass"):
         value = getattr(wanted, name)

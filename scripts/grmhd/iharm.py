@@ -4,7 +4,7 @@ import math
 import numpy as np
 
 from .charts import Spherical, fmks_theta, mks_theta
-from .common import ELECTRON_INDEX, INDEX, PROTON_INDEX, SPIN, Flow, asked, chosen_electrons, fail, words_of
+from .common import ELECTRON_INDEX, INDEX, POSITIVE, PROTON_INDEX, SPIN, Flow, asked, chosen_electrons, fail, words_of
 from .mesh import slabs
 
 PRIMITIVES = ("RHO", "UU", "U1", "U2", "U3", "B1", "B2", "B3")
@@ -110,5 +110,6 @@ def read(file, wanted):
     notes = [f"the energy UU is below 0 in {cold} cells, and counts as 0 there"] if cold else []
     if any(name.startswith(("KEL", "KTOT")) for name in others) and not electrons:
         notes.append("electron entropies are not used: temperatures follow from --r-high and --r-low")
-    return Flow(file.path, spin, gamma, chart, mesh, "entropy" if electrons else "", *indices, notes=notes,
+    unit = file.number("header/units/RHO_unit", *POSITIVE) if file.has("header/units/RHO_unit") else 0    # ebhlight's
+    return Flow(file.path, spin, gamma, chart, mesh, "entropy" if electrons else "", *indices, unit, notes=notes,
                 unused=file.unused() + [f"prims {name}" for name in others])

@@ -1,14 +1,16 @@
 """Which reader a file is for."""
 import os
 
-from . import athena, athenak, iharm, kharma
+from . import athena, athenak, hamr, iharm, kharma, koral
 from .common import Hdf5, fail
 
 # A code's files: name, how they begin (None: HDF5), by what they are known, and the reader, (Hdf5 or path, options) -> Flow. The first that fits reads.
 READERS = (("AthenaK (.bin)", athenak.MAGIC, None, athenak.read),
            ("iharm3d", None, iharm.is_of, iharm.read),
            ("KHARMA (.phdf, .rhdf)", None, kharma.is_of, kharma.read),
-           ("Athena++ (.athdf)", None, athena.is_of, athena.read))
+           ("Athena++ (.athdf)", None, athena.is_of, athena.read),
+           ("KORAL (KORALv2)", None, koral.is_of, koral.read),
+           ("H-AMR (regular grid)", None, hamr.is_of, hamr.read))
 ALLOWED = ", ".join(name for name, *_ in READERS)
 # Files that cannot be read, by the end of their name, and why.
 REFUSED = ((".dat", "BHAC's raw output does not hold its domain, base grid and coordinates"),

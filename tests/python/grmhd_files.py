@@ -339,3 +339,49 @@ def write_athenak_hdf5(path, root=32, size=8, half=32.0, widths=(16.0, 8.0, 4.0)
     lines = [line.encode() for line in ATHENAK_TEXT.format(n=root, low=-half, high=half, size=size, a=a, gamma=GAMMA).splitlines()]
     write_athdf(path, leaves, ((-half, half),) * 3, (root,) * 3, (size,) * 3, "cartesian", "f4",
                 (("uov", NAMES_K[:6], list(values[:6])), ("B", NAMES_K[6:], list(values[6:]))), header=lines)
+
+
+def write_koral(path, cells=(32, 24, 16), te=True, a=SPIN, spoil=None):
+    """KORAL's output for other programs: all big-endian, [i, j, k], vectors along r, theta, phi, places in grid_out, azimuths from -pi."""
+    x1, x2, x3 = np.log(1.2) + (np.arange(cells[0]) + 0.5) * np.log(50) / cells[0], (np.arange(cells[1]) + 0.5) / cells[1], \
+        -math.pi + (np.arange(cells[2]) + 0.5) * TURN / cells[2]
+    r, theta = (np.broadcast_to(side[..., None], cells) for side in fmks(x1[:, None], x2[None, :], 0.5, zero=x1[0]))
+    r, phi = r * np.ones(cells), np.broadcast_to(x3, cells)
+    rho, energy, velocity, field, entropy = flow(r, theta, phi)
+    with h5py.File(path, "w") as file:
+        def put(name, value):
+            file[name] = np.asarray(value, ">i4" if isinstance(value, int) else ">f8")
+        file["header/version"], file["header/metric_run"], file["header/metric_out"] = np.bytes_("KORALv2"), np.bytes_("MKS3"), np.bytes_("KS")
+        for name, value in zip(("n1", "n2", "n3", "gam", "bhspin", "has_electrons", "units/M_unit"), (*cells, GAMMA, a, int(te), 2e-17)):
+            put(f"header/{name}", value)
+        put("t", 1000.0)
+        for name, value in zip(("r", "th", "ph"), (r, theta, phi)):
+            put(f"grid_out/{name}", value)
+        for name, value in zip(("rho", "uint", "U1", "U2", "U3", "B1", "B2", "B3"), (rho, energy, *velocity, *field)):
+            put(f"quants/{name}", value)
+        if te:
+            put("quants/te", 1e10 * entropy)
+        if spoil:
+            spoil(file)
+
+
+def write_hamr(path, cells=(40, 32, 16), lapse=False, hslope=1.0, r0=0.0, places=True, a=SPIN):
+    """H-AMR's regular grid: attributes at the root, flat datasets; x2 from -1 to 1, startx at middles."""
+    step = np.array([math.log(50) / cells[0], 2 / cells[1], TURN / cells[2]])
+    start = np.array([math.log(1.2), -1, 0]) + step / 2
+    def chart(x1, x2):
+        plain = mks(x1, 0.5 * (1 + x2), hslope)
+        return plain[0] + r0, plain[1]
+    x = [start[n] + np.arange(cells[n]) * step[n] for n in range(3)]
+    values, _ = cells_of(chart, *x)
+    r, theta = (np.broadcast_to(side[..., None], cells) for side in np.broadcast_arrays(*chart(x[0][:, None], x[1][None, :])))
+    if lapse:
+        values[5:8] /= np.sqrt(1 + 2 * r / (r * r + a * a * np.cos(theta) ** 2))
+    with h5py.File(path, "w") as file:
+        for name, value in zip(("dscale", "t", "N1", "N2", "N3", "startx", "dx", "a", "gam", "R0", "hslope"),
+                               (1.0, 1e4, *cells, start, step, a, GAMMA, r0, hslope)):
+            file.attrs[name] = value
+        for name, value in zip(("RHO", "UU", "U1", "U2", "U3", "B1", "B2", "B3"), values):
+            file[name] = value.ravel()
+        if places:
+            file["r"], file["h"] = r.ravel(), theta.ravel()

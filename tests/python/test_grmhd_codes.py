@@ -151,6 +151,30 @@ class Codes(unittest.TestCase):
         files.write_athenak_hdf5(self.folder / "flow.athdf")
         np.testing.assert_array_equal(whole, self.known("athenak athdf", self.folder / "flow.athdf", *nodes, bound=BETWEEN_CUBES))
 
+    def test_koral(self):
+        path, nodes = self.folder / "flow.h5", ("--nodes", 40, 40)
+        files.write_koral(path)
+        self.known("koral", path, *nodes, electrons="kelvin")
+        self.known("koral without te", path, *nodes, "--electrons", "r-high")
+        done = convert(path, "-o", self.folder / "unit.grid", "--nodes", 40, 40, "--sigma-cut", 1e9, "--outer", 12)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        ratio = read(self.folder / "unit.grid")[4] / read(self.folder / "koral.grid")[4]
+        np.testing.assert_allclose(ratio[..., 0], 2e-17 / UNIT, rtol=1e-5)
+        np.testing.assert_allclose(ratio[..., 4], math.sqrt(2e-17 / UNIT), rtol=1e-5)
+        files.write_koral(path, te=False)
+        self.known("koral of one fluid", path, *nodes)
+
+    def test_hamr_asks_for_what_its_readers_disagree_on(self):
+        path, nodes = self.folder / "flow.h5", ("--nodes", self.outside(1.2, 60, 40), 32)
+        for lapse, word in ((True, "yes"), (False, "no")):
+            files.write_hamr(path, lapse=lapse)
+            self.known(f"hamr {word}", path, *nodes, "--field-has-lapse", word, outer=100, bound=AT_CELLS)
+            self.refused(path, "needed: --field-has-lapse yes or no")
+        files.write_hamr(path, hslope=0.5, r0=0.2)
+        self.known("hamr with R0", path, "--nodes", 40, 40, "--field-has-lapse", "no")
+        files.write_hamr(path, hslope=0.5, places=False)
+        self.refused(path, "hslope 0.5, on which readers of this format disagree", "--field-has-lapse", "no")
+
     def refused(self, path, words, *arguments):
         out = self.folder / "out.grid"
         done = convert(path, "-o", out, *OPTIONS, *arguments)
