@@ -12,7 +12,7 @@ from .common import Progress, fail
 
 MOST_PLACES = 1 << 26       # boxes between all edges of blocks
 SLAB = 1 << 17              # cells of a slab
-KEPT = 32                   # blocks with their surroundings
+KEPT = 1 << 19              # cells of blocks with their surroundings, where finer ones may need them again
 
 
 class Around:
@@ -42,6 +42,9 @@ def trilinear(values, at, weights=None):
         if weights is not None:
             share = share * weights[index]
             weight += share
+        if isinstance(values, np.ndarray):
+            total += share * values[(slice(None), *index)]
+            continue
         for number, value in enumerate(values):
             total[number] += share * value[index]
     return total if weights is None else (total / np.where(weight > 0, weight, 1), weight > 0)
@@ -63,7 +66,8 @@ class Mesh:
             self.edges.append(edges)
             spans.append(np.clip(np.searchsorted(0.5 * (edges[1:] + edges[:-1]), ends), 0, len(edges) - 1))
         self.fill(spans)
-        self.around = functools.lru_cache(KEPT)(self.make_around)
+        largest = max(math.prod(len(face) for face in block) for block in faces)
+        self.around = functools.lru_cache(max(8, KEPT // largest) if np.ptp(self.levels) else 1)(self.make_around)
 
     def fill(self, spans):
         shape = tuple(len(edges) - 1 for edges in self.edges)
@@ -127,7 +131,7 @@ class Mesh:
 
     def of_neighbour(self, block, points, level):
         if self.levels[block] < level:
-            coarse = self.around(block)
+            coarse = self.around(int(block))
             return trilinear(coarse.values, coarse.at(points))
         values, faces = self.fetch(block), self.faces[block]
         if self.levels[block] == level:

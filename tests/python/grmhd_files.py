@@ -255,6 +255,17 @@ def write_athena(path, root=(48, 32, 16), size=(16, 16, 16), r=(1.25, 60.0), ref
                  ("B", ("Bcc1", "Bcc2", "Bcc3"), list(cells[5:8]))), spoil)
 
 
+def write_athena_cartesian(path, root=32, size=8, half=32.0, widths=(16.0, 8.0, 4.0), m=1.0, a=SPIN):
+    """Athena++ with coordinates of a user's own, which are Kerr and Schild's x, y, z."""
+    leaves = blocks_of((root,) * 3, (size,) * 3, ((-half, half),) * 3, nested(widths))
+    cells = np.stack([cartesian_cells(*leaf.middles, a).transpose(0, 3, 2, 1) for leaf in leaves], axis=1)
+    cells[1] *= GAMMA - 1
+    for leaf in leaves:
+        leaf.faces, leaf.middles = ([m * side for side in sides] for sides in (leaf.faces, leaf.middles))
+    write_athdf(path, leaves, ((-half * m, half * m),) * 3, (root,) * 3, (size,) * 3, "gr_user", "f4",
+                (("prim", ("rho", "press", "vel1", "vel2", "vel3"), list(cells[:5])), ("B", ("Bcc1", "Bcc2", "Bcc3"), list(cells[5:8]))))
+
+
 def write_athdf(path, leaves, domain, root, size, coordinates, real, datasets, spoil=None, header=None):
     with h5py.File(path, "w") as file:
         top = file.attrs
