@@ -3,10 +3,11 @@
 
     scripts/convert_grmhd.py dump.h5 -o flow.grid --density-unit 1e-18
 
-Files of iharm3d are read (one reader each in scripts/grmhd). --density-unit, in g/cm^3, is what density 1 stands for: a simulation does not know it, and
-it is found from the flux at one frequency; medium.density_scale changes it later. The electrons' temperature is that of the file where it has one
-(--electrons), or follows from the gas's by R = (R_high beta^2 + R_low)/(1 + beta^2), beta the ratio of the gas's pressure to the field's (Moscibrodzka,
-Falcke and Shiokawa 2016). Matter whose magnetization B^2/rho is above --sigma-cut has no density: simulations add gas there for their own stability.
+Files of iharm3d, KHARMA, Athena++, AthenaK, KORAL and H-AMR are read (docs/matter.md; one reader each in scripts/grmhd). What a file does not hold must be
+given. --density-unit, in g/cm^3, is what density 1 stands for: most simulations do not know it, and it is found from the flux at one frequency;
+medium.density_scale changes it later. The electrons' temperature is that of the file where it has one (--electrons), or follows from the gas's by
+R = (R_high beta^2 + R_low)/(1 + beta^2), beta the ratio of the gas's pressure to the field's (Moscibrodzka, Falcke and Shiokawa 2016). Matter whose
+magnetization B^2/rho is above --sigma-cut has no density: simulations add gas there for their own stability.
 
 Flows about a hole whose spin is negative are turned by half a turn about the x axis, so that the hole turns eastward: theta becomes 180 - theta, phi
 becomes -phi. A line says so, and what the camera of a scene needs then. Velocity and field are changed to the frames that the file wants: of
@@ -16,6 +17,7 @@ import argparse
 import hashlib
 import math
 import os
+import pathlib
 import shlex
 import sys
 
@@ -71,6 +73,7 @@ def write(path, spin, r, theta, phi, numbers, notes):
                 out.write(np.ascontiguousarray(ring, dtype="<f4"))
         os.replace(unfinished, path)
     except OSError as error:
+        pathlib.Path(unfinished).unlink(missing_ok=True)
         fail(f"{path}: {error.strerror}")
 
 
@@ -89,8 +92,8 @@ def options():
     parser.add_argument("--r-low", type=float, default=1, help="and where the field's does (1)")
     parser.add_argument("--sigma-cut", type=float, default=1, help="largest magnetization of matter that is kept (1)")
     parser.add_argument("--outer", type=float, default=25, metavar="R_S", help="last radius, r_s (25)")
-    parser.add_argument("--nodes", type=int, nargs="+", metavar="N", help="along r and theta, and phi if a third is given (160, and as fine as the cells, at most "
-                        "256; 160, 128, 128 of Cartesian cells)")
+    parser.add_argument("--nodes", type=int, nargs="+", metavar="N", help="along r and theta, and phi if a third is given (160, and as fine as the "
+                        "cells, at most 256; 160, 128, 128 of Cartesian cells)")
     parser.add_argument("--spin", type=float, metavar="A", help="a/M of the hole, -1 to 1, where the file does not hold it")
     parser.add_argument("--adiabatic-index", type=float, metavar="GAMMA", help="of the gas, where the file does not hold it")
     parser.add_argument("--code-mass", type=float, metavar="M", help="of Athena++: m of the input's <coord>, the unit of lengths (mostly 1)")
@@ -115,6 +118,7 @@ def options():
 
 def main():
     wanted = options()
+    np.seterr(all="ignore")   # what is not finite is found, and said in one line
     flow = read(wanted.dump, wanted)
     wanted.density_unit = wanted.density_unit or flow.density_unit
     if not wanted.density_unit:

@@ -35,7 +35,7 @@ class Progress:
 
 @dataclasses.dataclass
 class Flow:
-    """What a reader makes of a file. Lengths in M, spatial vectors ut^i = u^i + (u^t lapse^2) g^ti and B^i = *F^it in the basis of the file, as chart has it."""
+    """What a reader makes of a file. Lengths in M; vectors ut^i = u^i + u^t lapse^2 g^ti and B^i = *F^it in the file's own basis, as chart has it."""
     path: str
     spin: float                       # a/M; below 0 where the hole turns westward
     gamma: float                      # the gas's adiabatic index

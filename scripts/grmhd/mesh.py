@@ -11,6 +11,7 @@ import numpy as np
 from .common import Progress, fail
 
 MOST_PLACES = 1 << 26       # boxes between all edges of blocks
+DEEPEST = 60                # level
 SLAB = 1 << 17              # cells of a slab
 KEPT = 1 << 19              # cells of blocks with their surroundings, where finer ones may need them again
 
@@ -56,10 +57,12 @@ class Mesh:
 
     def __init__(self, path, faces, levels, fetch, turn=False, offsets=None):
         self.path, self.faces, self.levels, self.fetch, self.turn, self.offsets = path, faces, np.asarray(levels), fetch, turn, offsets
+        if self.levels.min() < 0 or self.levels.max() > DEEPEST:
+            fail(f"{path}: its levels go from {self.levels.min()} to {self.levels.max()}; allowed: 0 to {DEEPEST}")
         self.edges, spans = [], []
         for axis in range(3):
             ends = np.array([[block[axis][0], block[axis][-1]] for block in faces], dtype=float)
-            if not np.isfinite(ends).all() or any((np.diff(block[axis]) <= 0).any() for block in faces):
+            if not np.isfinite(ends).all() or not all((np.diff(block[axis]) > 0).all() for block in faces):
                 fail(f"{path}: its cells' edges along x{axis + 1} do not grow")
             known = np.unique(ends)
             edges = known[np.append(True, np.diff(known) > 1e-3 * (ends[:, 1] - ends[:, 0]).min())]

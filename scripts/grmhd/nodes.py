@@ -100,9 +100,19 @@ def smooth_around(flow, block):
     return around, values, weights
 
 
+def even_in_theta(chart, around, points, at):
+    """Places along x2, counted in cells, of which the part of a cell is of theta at that radius."""
+    middles = around.x[1]
+    low = np.clip(np.floor(at).astype(int), 0, len(middles) - 2)
+    first, last, here = (chart.theta(points[0], x2) for x2 in (middles[low], middles[low + 1], points[1]))
+    return np.where(last > first, low + np.clip((here - first) / np.where(last > first, last - first, 1), 0, 1), at)
+
+
 def interpolated(flow, surroundings, points):
     around, values, weights = surroundings
     at = around.at(points, flow.chart.ruler)
+    if flow.chart.spherical:
+        at[1] = even_in_theta(flow.chart, around, points, at[1])
     numbers, known = trilinear(values, at, weights) if weights is not None else (trilinear(values, at), np.ones(len(points[0]), dtype=bool))
     for number in [0, 1] + list(range(8, len(numbers))):
         numbers[number] = np.exp(numbers[number])
@@ -132,6 +142,8 @@ def resampled(flow, wanted):
             i, j, k = np.unravel_index(here, nodes.count)
             numbers, known = interpolated(flow, surroundings, nodes.native(i, j, k))
             out[here] = matter(flow, wanted, nodes.r[i], nodes.theta[j], nodes.phi[k], numbers, known)
+            if not np.isfinite(out[here]).all():
+                fail(f"{flow.path}: at r = {nodes.r[i[0]]:.4g} M and next to it the matter's numbers are not finite: field or velocity are too large")
             progress.at(start)
     out = out.reshape(nodes.count + (8,))
     if flow.spin < 0:

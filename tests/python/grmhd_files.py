@@ -197,12 +197,11 @@ transform = {transform}
 a = {a!r}
 {more}
 <GRMHD>
-gamma = {gamma}  # of the \\
-gas
+gamma = &  # goes on
+ {gamma}  # of the gas
 <electrons>
 on = true
-gamma_e = &
- 1.3333333333333333
+gamma_e = 1.3333333333333333
 <floors>
 gamma = 9
 """
@@ -227,7 +226,7 @@ def write_kharma(path, chart, transform, more="", version=3, domain=((0.18, 4.1)
         info["IncludesGhost"], info["NGhost"], info["Time"] = np.int32(ghosts > 0), np.int32(ghosts or 4), 100.0
         info["Coordinates"] = "TransformedSpherical"
         info["RootGridDomain"] = np.array([n for low, high in domain for n in (low, high, 1.0)])
-        text = KHARMA_TEXT.format(n=root, x1=domain[0], transform=transform, a=a, more=more, gamma=GAMMA).replace("\\\ngas", "gas")
+        text = KHARMA_TEXT.format(n=root, x1=domain[0], transform=transform, a=a, more=more, gamma=GAMMA)
         file.create_group("Input").attrs["File"] = text
         for number in range(8):
             file.require_group("Params").attrs[f"Package/{number}"] = number

@@ -100,7 +100,7 @@ class Codes(unittest.TestCase):
 
     def test_kharma_in_all_transforms(self):
         x1 = (0.18, 4.1)
-        zero = 0.3
+        zero = 0.8
         charts = (("null", files.plain, "null", "", ((1.2, 40.0), (0, math.pi), (0, TURN)), (256, 32, 16)),
                   ("eks", files.eks, "exponential", "", (x1, (0, math.pi), (0, TURN)), None), ("mks", files.mks, "mks", "hslope = 0.3", None, None),
                   ("fmks", lambda x1, x2: files.fmks(x1, x2, zero=0.18), "funky", "", None, (32, 56, 16)),
@@ -284,6 +284,8 @@ class Codes(unittest.TestCase):
                  (info("MeshBlockSize", np.array([16, 8, 9])), "Locations/z has the shape"), (without("prims.rho"), "the file has no prims.rho"),
                  (without("prims.B"), "no prims.B, and no cons.B of flux_ct"), (without("Levels"), "the file has no Levels"),
                  (both(without("prims.B"), lambda file: file.__setitem__("cons.fB", np.ones(3))), "cons.fB, of face_ct, is not read"),
+                 (lambda file: file["Levels"].__setitem__(0, -1), "its levels go from -1 to 0"),
+                 (lambda file: file["prims.B"].__setitem__(Ellipsis, 1e38), "are not finite: field or velocity are too large"),
                  (nan, "not finite: prims.uvec 2 of cell (5, 4, 3) of block 2"), (fewer, "leave gaps"))
         for change, words in cases:
             self.refused(self.changed(good, change), words)
