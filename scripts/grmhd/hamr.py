@@ -62,4 +62,5 @@ def read(file, wanted):
             return values[:5] + [value / lapse for value in values[5:8]]
         mesh.fetch = fetch
     cold = mesh.check_numbers(NAMES, lambda block: True, "it")
-    return Flow(file.path, spin, gamma, chart, mesh, unused=file.unused(), notes=[f"the energy UU is below 0 in {cold} cells, and counts as 0 there"] if cold else [])
+    return Flow(file.path, spin, gamma, chart, mesh, unused=file.unused(),
+                notes=[f"the energy UU is below 0 in {cold} cells, and counts as 0 there"] if cold else [])

@@ -9,8 +9,8 @@ from .mesh import Mesh
 
 VERSIONS = (None, 2, 3, 4)          # of Info's OutputFormatVersion; None: the file has none
 NAMES = ("prims.rho", "prims.u", "prims.uvec 1", "prims.uvec 2", "prims.uvec 3", "B 1", "B 2", "B 3")
-TRANSFORMS = {"null": "null", "none": "null", "exponential": "eks", "exp": "eks", "eks": "eks", "modified": "mks", "mks": "mks", "funky": "fmks", "fmks": "fmks",
-              "superexponential": "superexp", "superexp": "superexp", "widepole": "wks", "wks": "wks"}
+TRANSFORMS = {"null": "null", "none": "null", "exponential": "eks", "exp": "eks", "eks": "eks", "modified": "mks", "mks": "mks",
+              "funky": "fmks", "fmks": "fmks", "superexponential": "superexp", "superexp": "superexp", "widepole": "wks", "wks": "wks"}
 
 
 def is_of(file):
@@ -18,7 +18,7 @@ def is_of(file):
 
 
 def radius_and_theta(text):
-    """Of the transform's name and its parameters."""
+    """Of the transform's name and its parameters; and the last x2."""
     word = text.word("coordinates", "transform")
     kind = TRANSFORMS.get(word)
     if kind is None:
@@ -35,7 +35,9 @@ def radius_and_theta(text):
     if kind == "wks":
         linear, width = number("lin_frac", 0.6, 1e-6, 1), number("smoothness", -1)
         width = width if width > 0 else 0.02
-        return np.exp, lambda x1, x2: 0.5 * math.pi * (1 + 2 * linear * (x2 - 0.5) + (1 - linear) * (np.tanh((x2 - 1) / width) + np.tanh(x2 / width))) + 0 * x1, 1
+        def theta(x1, x2):
+            return 0.5 * math.pi * (1 + 2 * linear * (x2 - 0.5) + (1 - linear) * (np.tanh((x2 - 1) / width) + np.tanh(x2 / width))) + 0 * x1
+        return np.exp, theta, 1
     hslope = number("hslope", 0.3, 1e-6, 2 - 1e-6, "between 0 and 2, where theta grows with X2")
     if kind == "mks":
         return np.exp, mks_theta(hslope), 1

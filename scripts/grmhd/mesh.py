@@ -12,6 +12,7 @@ from .common import Progress, fail
 
 MOST_PLACES = 1 << 26       # boxes between all edges of blocks
 DEEPEST = 60                # level
+ROUNDED = 1e-9              # of a cell: a place that is a middle but for rounding is the middle
 SLAB = 1 << 17              # cells of a slab
 KEPT = 1 << 19              # cells of blocks with their surroundings, where finer ones may need them again
 
@@ -34,6 +35,7 @@ class Around:
 
 def trilinear(values, at, weights=None):
     """Of arrays (i, j, k) at places counted in cells: (number, place). weights: of the cells; then also whether any counted, and only those count."""
+    at = [np.where(np.abs(place - np.rint(place)) < ROUNDED, np.rint(place), place) for place in at]
     low = [np.clip(np.floor(place).astype(int), 0, max(side - 2, 0)) for place, side in zip(at, values[0].shape)]
     part = [place - first for place, first in zip(at, low)]
     total, weight = np.zeros((len(values), len(at[0]))), np.zeros(len(at[0]))
