@@ -143,6 +143,8 @@ std::string light_text(const Group& group, const Material& material) {
     return replaced(std::move(text), "BODY", group.name);
 }
 
+bool is_ball(const Group& group) { return group.shape.name == "ball" || group.shape.name == "moving_ball"; }
+
 // Whether a body's value is another thing than its distance.
 bool has_distance(const Group& group) { return !group.shape.formula.empty(); }
 
@@ -206,7 +208,7 @@ struct ListTexts {
 
 void add_to_lists(ListTexts& lists, const Group& group, const std::string& room, const std::string& least) {
     if (!group.is_list()) return;
-    const bool bound = group.shape.name == "ball" || group.shape.name == "moving_ball";
+    const bool bound = is_ball(group);
     if (bound) lists.close += for_each(group, list_statement(least, "bodies_close"), "bodies_shown");
     lists.near += for_each(group, list_statement(room, "bodies_near"), bound ? "bodies_close" : "bodies_shown");
 }
@@ -235,13 +237,7 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
     std::string ask, nearest, object, clear, helpers = includes_of(groups);
     ListTexts list;
     if (has_tiles(effects) || lists) helpers += include_line("core/bits.glsl");
-    if (lists)
-        helpers +=
-            "#define MARCH_LISTS\n"
-            "uvec2 bodies_shown = uvec2(0xffffffffu, 0xffffffffu);   // by this tile\n"
-            "uvec2 bodies_near = uvec2(0xffffffffu, 0xffffffffu);    // to the next part of the way\n"
-            "float march_first = 0.0;      // none of them is met at a smaller swept angle\n"
-            "float march_last = 1.0e30;    // or at a larger one\n";
+    if (lists) helpers += include_line("object/lists.glsl");
     std::size_t marched = 0, alone = 0;
     bool skims = false;  // there is a body whose room is a way along the ray, not a distance
     for (const Group& group : groups) {
@@ -256,11 +252,10 @@ std::string march_text(const std::vector<Group>& groups, const Scene& scene, con
         if (sides) helpers += by_side(group);
         const std::string name = sides ? group.name : group.shape.name, suffix = sides ? "_by_side" : "";
         const auto here = [&](const char* what) { return fmt::format("{}_{}{}(i, place)", name, what, suffix); };
-        const bool strides = !sides && (group.shape.name == "ball" || group.shape.name == "moving_ball");
         const std::string far = here(has_distance(group) ? "distance" : "value");
         ask += for_each(group,
                         fmt::format("    value = min(value, {});\n    room = min(room, {});\n", here("value"),
-                                    here(strides ? "stride" : "room")),
+                                    here(!sides && is_ball(group) ? "stride" : "room")),
                         near);
         nearest +=
             for_each(group,

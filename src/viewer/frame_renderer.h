@@ -67,8 +67,7 @@ public:
 
     // How many times smaller than the job's, in each direction, a picture in motion should be to hold the frame rate; 1: as large.
     double coarseness(const PaintJob& job);
-    // Whether a picture with one ray a pixel, of light of matter that is less exact, and after a quick search for the images of stars, is worth
-    // its time.
+    // Whether a picture of one ray a pixel, with light of matter less exact and star images found quickly, is worth its time.
     bool drafts(const PaintJob& job) const {
         const EffectSet effects = effect_set(required_effects(job.scene));
         return takes_samples(effects) || interpolates_matter(effects) || searches_stars() ||
