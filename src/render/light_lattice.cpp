@@ -59,7 +59,10 @@ void LightLattice::extend(std::size_t number, const Programs& programs, int last
     if (number > 0) draw_nodes(programs.told);
     // The cells of these rows: those above their nodes are not there yet.
     gl::bind_texture_2d(first_, level.nodes.colours.front());
-    gl::set_integer(programs.cells, "lattice_error", error_);
+    gl::set_integer(programs.cells, "lattice_error",
+                    !draft_                 ? kError
+                    : side == kSides.back() ? kFinestDraftError
+                                            : kDraftError);
     gl::draw_rows(programs.cells, programs.empty, level.cells.framebuffer.id(), level.cells.width, up,
                   std::max(from - 3, 0), to == up ? up : to - 3);
     level.rows = last;

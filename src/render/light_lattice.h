@@ -14,9 +14,10 @@ public:
     // For a picture of this size by these passes; frees what they do not need. Binds textures of its own to unit 0.
     void resize(const std::vector<Pass>& passes, int width, int height);
 
-    // How far the light that they tell may be off where it is compared with a ray's: thousandths of it. kDraftError: for pictures in motion.
-    static constexpr int kError = 5, kDraftError = 50;
-    void tell_to(int thousandths) { error_ = thousandths; }
+    // How far the light that they tell may be off where it is compared with a ray's: thousandths of it. Of drafts, and of their finest lattice,
+    // whose faults are smaller than 4 px.
+    static constexpr int kError = 5, kDraftError = 50, kFinestDraftError = 200;
+    void draft(bool wanted) { draft_ = wanted; }
 
     // Before the picture is drawn.
     void begin();
@@ -44,7 +45,8 @@ private:
     void extend(std::size_t number, const Programs& programs, int last);
     void bind(const Level& level);
 
-    int error_ = kError, first_ = 0, height_ = 0;
+    bool draft_ = false;
+    int first_ = 0, height_ = 0;
     std::array<Level, kSides.size()> levels_;
     Level none_;  // read while the coarsest is drawn
 };

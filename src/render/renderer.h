@@ -71,8 +71,9 @@ public:
     // Whether pixels on edges get more rays, where the scene calls for it; the programs are the same.
     void refine(bool wanted) { refining_ = wanted; }
 
-    // Whether the light of matter may be off by 5 % in place of 0.5 % where it is interpolated: of pictures in motion. The programs are the same.
-    void draft(bool wanted) { lattice_.tell_to(wanted ? LightLattice::kDraftError : LightLattice::kError); }
+    // Whether the light of matter is interpolated for pictures in motion: to 5 %, between rays 4 px apart to 20 %, in place of 0.5 %. The programs
+    // are the same.
+    void draft(bool wanted) { lattice_.draft(wanted); }
 
     // How the images of point stars in a new view about a rotating hole are found, from the next prepare() on.
     void search_stars(StarField::Search search) { star_search_ = std::move(search); }

@@ -10,7 +10,11 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kMotion_ms = 30.0;         // what a picture in motion should take: 30 a second, with what shows them
+constexpr double kMotion_ms = 30.0;  // what a picture in motion should take: 30 a second, with what shows them
+constexpr double kMotionInMatter_ms =
+    50.0;  // with matter: 20 a second, for a picture of a quarter of the pixels costs more than a third
+constexpr double kAtOnce_ms =
+    1e-9;  // of a ray, taken where a picture is no longer than the window may wait: it is one band
 constexpr double kUnknownCoarseness = 4.0;  // of a picture of unknown cost: a sixteenth of its pixels
 constexpr double kMostCoarse = 8.0;
 constexpr double kCoarser = 1.25;       // steps of sizes: textures of each are made once
@@ -83,9 +87,12 @@ double FrameRenderer::coarseness(const PaintJob& job) {
     const CameraSpec& camera = job.scene.camera;
     const double ray_ms = ray_picture_ms(job);
     const bool known = ray_ms > 0.0;
-    const double whole_ms = ray_ms * camera.width * camera.height;
+    // The last picture's, and how it changes with the size: by its pixels, or where light of matter is interpolated by its sides.
+    const double last = coarseness_, last_ms = ray_ms * camera.width * camera.height / (last * last);
+    const bool matter = interpolates_matter(effect_set(required_effects(job.scene)));
     const auto fits = [&](double coarseness, double share) {
-        return whole_ms <= share * kMotion_ms * coarseness * coarseness;
+        return last_ms * std::pow(last / coarseness, matter ? 1 : 2) <=
+               share * (matter ? kMotionInMatter_ms : kMotion_ms);
     };
     double& times = coarseness_;
     if (!known) times = kUnknownCoarseness;
@@ -118,15 +125,18 @@ Status FrameRenderer::prepare(const Scene& scene, const PaintJob& job, const Sta
     return right_->prepare(split_->right);
 }
 
-std::optional<DrawTimes> FrameRenderer::draw(const gl::Target& target, const DrawWatch& watch) {
-    if (!split_) return draw_in_bands(renderer_, target, ray_ms_, watch);
+std::optional<DrawTimes> FrameRenderer::draw(const gl::Target& target, bool at_once, const DrawWatch& watch) {
+    double least = kAtOnce_ms;
+    if (!split_) return draw_in_bands(renderer_, target, at_once ? least : ray_ms_, watch);
     DrawTimes sum;
     int x = 0;
     for (std::size_t i = 0; i < 2; ++i) {
+        least = kAtOnce_ms;
         const CameraSpec& camera = (i == 0 ? split_->left : split_->right).camera;
         if (halves_[i].width != camera.width || halves_[i].height != camera.height)
             halves_[i] = gl::make_target(camera.width, camera.height, gl::Format::kRgba8);
-        const auto times = draw_in_bands(i == 0 ? renderer_ : *right_, halves_[i], half_ray_ms_[i], watch);
+        const auto times =
+            draw_in_bands(i == 0 ? renderer_ : *right_, halves_[i], at_once ? least : half_ray_ms_[i], watch);
         if (!times) return std::nullopt;
         sum.draw_ms += times->draw_ms, sum.compile_ms += times->compile_ms;
         gl::blit(halves_[i].colours.front().id(), camera.width, camera.height, target.framebuffer.id(), camera.width,
@@ -177,7 +187,8 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
         if (effects != effects_ || job.method != method_) ray_ms_ = 0.0, half_ray_ms_ = {};
         effects_ = effects, method_ = job.method;
         const gl::Target& drawn = target(painting.width, painting.height, avoid);
-        const auto times = draw(drawn, watch);
+        const double expected_ms = picture_ms_ * painting.width * painting.height;
+        const auto times = draw(drawn, first && expected_ms > 0.0 && expected_ms <= kMotionInMatter_ms, watch);
         if (!times) return std::nullopt;
         painting.draw_ms = times->draw_ms;
         compile_ms_ += times->compile_ms;

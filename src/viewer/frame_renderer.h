@@ -97,7 +97,8 @@ private:
     std::optional<Painting> one_picture(const PaintJob& job, double coarseness, bool first, const TexturesInUse& avoid,
                                         const DrawWatch& watch);
     Status prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search);
-    std::optional<DrawTimes> draw(const gl::Target& target, const DrawWatch& watch);
+    // at_once: in one band, for drivers share little work within a small one.
+    std::optional<DrawTimes> draw(const gl::Target& target, bool at_once, const DrawWatch& watch);
     const gl::Target& target(int width, int height, const TexturesInUse& avoid);
     void add_facts(Painting& painting);
 

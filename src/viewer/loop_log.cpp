@@ -55,9 +55,10 @@ void LoopLog::turn(const Turn& turn) {
         line(fmt::format("first t={:.3f} cpu={:.3f} picture={}", process_seconds(),
                          clock_seconds(CLOCK_PROCESS_CPUTIME_ID), picture));
     }
-    line(fmt::format("turn t={:.3f} cpu_ms={:.1f} here={} programs={} pictures={} picture={} work={} age_ms={:.1f}",
-                     process_seconds(), turn.cpu_ms, turn.here, turn.programs, turn.pictures, picture,
-                     turn.working ? 1 : 0, turn.age_ms));
+    line(fmt::format(
+        "turn t={:.3f} cpu_ms={:.1f} here={} programs={} pictures={} picture={} size={}x{} work={} age_ms={:.1f}",
+        process_seconds(), turn.cpu_ms, turn.here, turn.programs, turn.pictures, picture, turn.width, turn.height,
+        turn.working ? 1 : 0, turn.age_ms));
     rested_.reset();
 }
 

@@ -2,7 +2,7 @@
 // that drew, one for each picture that is the first of its kind, one whenever the viewer comes to rest. Each line is
 // a word and name=value pairs:
 //
-//   turn t=1.234 cpu_ms=3.1 here=0 programs=1 pictures=7 picture=whole work=1 age_ms=41.3
+//   turn t=1.234 cpu_ms=3.1 here=0 programs=1 pictures=7 picture=whole size=1280x720 work=1 age_ms=41.3
 //   first t=0.871 cpu=1.310 picture=coarse
 //   rest t=2.100 key=284 measuring=0
 //
@@ -33,6 +33,7 @@ public:
         double cpu_ms = 0.0;
         int here = 0, programs = 0, pictures = 0;
         bool picture = false, coarse = false, working = false;
+        int width = 0, height = 0;  // the picture's, px
         double age_ms = 0.0;
     };
     void turn(const Turn& turn);              // that drew

@@ -150,6 +150,7 @@ bool Viewer::step() {
         present();
         logs_.turns.turn({1e3 * (thread_cpu_seconds() - cpu), painter_->drawn_by_caller(), shown_.painting.programs,
                           shown_.number, shown_.is_there(), shown_.painting.coarse(), painter_->busy(),
+                          shown_.painting.width, shown_.painting.height,
                           shown_.news_due_at ? 1e3 * (seconds() - *shown_.news_due_at) : 0.0});
         shown_.news_due_at.reset();
     } else {

@@ -39,6 +39,7 @@ def drag(v, width, height, seconds):
         angle = steps / 10.0
         v.hands("mousemove", int(x + reach * math.sin(angle)), int(y + 0.6 * reach * (1.0 - math.cos(angle))))
         steps += 1
+    sizes = sorted((turn["size"].split("x") for turn in v.log.turns(at) if float(turn["age_ms"]) > 0), key=lambda size: int(size[0]))
     ages, spent_s, wall_s = sorted(shown()), v.spent() - before, time.monotonic() - begun
     v.hands("mouseup", 1)
     rested, before = time.monotonic(), v.spent()
@@ -48,12 +49,12 @@ def drag(v, width, height, seconds):
         return last["picture"] == "whole" and last["work"] == "0"
     wait_until("the whole picture", whole, 60, every_s=0.005)
     return {"rate": len(ages) / wall_s, "delay_ms": ages[int(0.95 * (len(ages) - 1))], "whole_s": time.monotonic() - rested,
-            "motion_cpu_s": spent_s / len(ages), "whole_cpu_s": v.spent() - before,
+            "size": "x".join(sizes[len(sizes) // 2]), "motion_cpu_s": spent_s / len(ages), "whole_cpu_s": v.spent() - before,
             "behind": statistics.median(ages) / 1000 * len(ages) / wall_s}
 
 
 def said(scene, m):
-    return (f"{scene}: {m['rate']:.1f} pictures a second, 95 % within {m['delay_ms']:.0f} ms of their input, whole after {m['whole_s']:.2f} s; "
+    return (f"{scene}: {m['rate']:.1f} pictures of {m['size']} a second, 95 % within {m['delay_ms']:.0f} ms of their input, whole after {m['whole_s']:.2f} s; "
             f"processor time of a picture {m['motion_cpu_s']:.3f} s, of the whole one {m['whole_cpu_s']:.2f}, divided by the slowness; "
             f"{m['behind']:.1f} pictures behind")
 
