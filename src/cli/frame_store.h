@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/numbered_files.h"
 #include "base/result.h"
 #include "cli/capture_options.h"
 #include "command/arguments.h"
@@ -19,20 +20,18 @@ public:
     // pattern: holds one of %d, %5d, %05d (up to 9 digits) or #####. Errors: no such place, or more than one.
     static Result<FrameNames> parse(const std::string& pattern);
     static FrameNames in_folder(const std::string& folder);  // folder/00000.png ...
-    std::string of(int frame) const;                         // with zeros in front, as many digits as there are places
+    std::string of(int frame) const { return files_.of(frame); }
     const std::string& pattern() const { return pattern_; }
-    std::string stamp_file() const;    // NAME.png.stamp for NAME%05d.png
-    std::vector<int> on_disk() const;  // the numbers of the files that are there, ascending
+    std::string stamp_file() const;  // NAME.png.stamp for NAME%05d.png
+    std::vector<int> on_disk() const { return files_.on_disk(); }
 
 private:
-    FrameNames(std::string pattern, std::string before, std::string after, int digits)
-        : pattern_(std::move(pattern)), before_(std::move(before)), after_(std::move(after)), digits_(digits) {}
-    std::string pattern_, before_, after_;
-    int digits_;
+    FrameNames(std::string pattern, NumberedFiles files) : pattern_(std::move(pattern)), files_(std::move(files)) {}
+    std::string pattern_;
+    NumberedFiles files_;
 };
 
-// Is there a place for a frame's number in a name? (One # alone may be part of any name.)
-bool names_frames(const std::string& output);
+inline bool names_frames(const std::string& output) { return names_numbers(output); }
 
 // What the pictures depend on, as text: pictures of two runs may stand in one film only if it is equal.
 struct StampInput {

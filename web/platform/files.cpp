@@ -2,6 +2,7 @@
 
 #include "base/assets.h"
 #include "base/atomic_file.h"
+#include "base/file_part.h"
 #include "platform/files.h"
 
 namespace nullscope {
@@ -32,6 +33,12 @@ Result<std::string> read_text(const std::filesystem::path& path, std::size_t max
     if (content->size() > max_bytes)
         return bad_input(fmt::format("cannot read '{}': larger than {} bytes", path.string(), max_bytes));
     return *content;
+}
+
+std::string file_part(const std::filesystem::path& file, std::size_t bytes, FileEnd end) {
+    const std::string* content = web::find_file(file);
+    if (content == nullptr || content->size() <= bytes) return content == nullptr ? "" : *content;
+    return end == FileEnd::kFirst ? content->substr(0, bytes) : content->substr(content->size() - bytes);
 }
 
 }  // namespace nullscope
