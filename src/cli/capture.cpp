@@ -116,7 +116,7 @@ PictureOrigin origin_of(const Job& job, const CaptureOptions& options, const Exp
                         std::optional<int> frame) {
     const bool whole = !shown.sub_frames.empty() || with_next;
     PictureOrigin origin{whole ? job.scene : shown.scene, job.folders, job.split, job.split_folders};
-    origin.frame = frame;
+    origin.frame = frame, origin.times = times_of(shown);
     const bool disc = job.scene.disc || (job.split && job.split->disc);
     origin.options = recorded_options(
         {options, job.method, disc ? std::optional(job.traced_tiles) : std::nullopt, frame, whole, job.time_frame},
@@ -188,6 +188,7 @@ Result<Job> job_of(const CaptureOptions& options, const OpenedScene& opened) {
     if (job.path && options.time_frame)
         return bad_input("--time-frame: a path begins in frame 0", "scenes without a [path]");
     if (!job.path) job.time_frame = options.time_frame.value_or(job.frames.first);
+    TRY(there, check_times(job, options.time_step, *frames, options.scene));
     if (!options.to_film() && !options.one_frame && (!options.frames.empty() || names_frames(options.output))) {
         TRY(names, FrameNames::parse(options.output));
         job.names = std::move(*names);
@@ -303,6 +304,7 @@ Status draw_all(const Job& job, const CaptureOptions& options, FrameStore* store
 Result<std::map<std::string, std::string>> film_words(const Job& job, const CaptureOptions& options,
                                                       const std::string& picture) {
     PictureOrigin origin = origin_of(job, options, job.scene, true, std::nullopt);
+    origin.times = times_in(job, options.time_step, job.frames);
     origin.options +=
         fmt::format("{}--frames {}:{}", origin.options.empty() ? "" : " ", job.frames.first, job.frames.end);
     if (!job.path) origin.options += fmt::format(" --time-frame {}", job.time_frame);

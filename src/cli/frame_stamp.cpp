@@ -10,14 +10,20 @@
 #include "base/atomic_file.h"
 #include "base/text.h"
 #include "image/image_file.h"
+#include "scene/medium_dumps.h"
 #include "scenefile/scene_text.h"
 
 namespace nullscope::cli {
 namespace {
 
 void append_scene(std::string& text, const std::string& prefix, const Scene& scene) {
-    for (const SceneLine& line : scene_lines(scene))
-        text += fmt::format("{}{} = {}\n", prefix, line.name, line.file.empty() ? line.value : contents_of(line.file));
+    for (const SceneLine& line : scene_lines(scene)) {
+        const bool dumps = line.name == "medium.file" && has_dumps(scene);
+        text += fmt::format("{}{} = {}\n", prefix, line.name,
+                            dumps               ? dumps_stamp(scene.medium->grid)
+                            : line.file.empty() ? line.value
+                                                : contents_of(line.file));
+    }
 }
 
 // The names of the lines of `text` that `other` does not have, added to names.

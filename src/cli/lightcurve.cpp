@@ -16,6 +16,7 @@
 #include "command/session.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
+#include "scene/medium_dumps.h"
 #include "scene/projection.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
@@ -52,8 +53,9 @@ std::array<double, 4> flux_of(const Image<float>& picture, const CameraSpec& cam
     return sum;
 }
 
-// One turn of the spots, one pulse of the sphere, or 100 r_s/c.
-double period_of(const Scene& scene) {
+// To the last dump, one turn of the spots, one pulse of the sphere, or 100 r_s/c.
+double period_of(const Scene& scene, double from) {
+    if (has_dumps(scene)) return dump_times(scene.medium->grid).to - from;
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!scene.spots.empty() && spacetime)
         if (const auto orbit = circular_orbit(**spacetime, scene.spots.front().r)) return 2 * M_PI / orbit->omega;
@@ -127,20 +129,27 @@ Result<std::vector<int>> region_of(const LightcurveOptions& options, const Camer
 
 Result<int> run_lightcurve(const LightcurveOptions& options) {
     TRY(scene, load_scene_sized(options.scene, options.size));
-    if (moving_parts(*scene).empty())
+    if (!changes_with_time(*scene))
         return bad_input(fmt::format("{}: nothing in it changes with time", options.scene),
-                         "a scene with disc.flow, [spot], sphere.amplitude, ball.motion or t in surface.shape");
+                         "a scene with disc.flow, [spot], sphere.amplitude, ball.motion, t in surface.shape or dumps "
+                         "as medium.file");
     if (options.samples && options.renderer != "reference")
         return bad_input("--samples: the shader takes one ray a pixel", "with --renderer reference");
     if (options.renderer == "reference" && options.context != "auto")
         return bad_input("--context: the reference tracer does not use OpenGL", "with --renderer gl");
     TRY(region, region_of(options, scene->camera));
-    const double from = options.from.value_or(scene->time), to = options.to.value_or(from + period_of(*scene));
+    const double from = options.from.value_or(scene->time), to = options.to.value_or(from + period_of(*scene, from));
     if (!(to > from)) return bad_input(fmt::format("--to {} is not after --from {}", to, from));
+    if (has_dumps(*scene))
+        for (const double time : {from, to})
+            if (const auto fault = dump_time_fault(scene->medium->grid, time))
+                return bad_input(fmt::format("{}: {} {}", options.scene, fault->key, fault->what), fault->allowed);
     TRY(curve, curve_of(options, *scene, from, to, *region));
+    std::vector<double> times;
+    for (const CurvePoint& point : curve->samples) times.push_back(point.time);
     TRY(written, write_table(options.output + ".csv", csv_of(curve->samples), options.output + ".svg",
                              svg_of(*scene, curve->samples),
-                             {*scene, options.scene, options.given.words(), curve->drawn_by, kCurveColumns}));
+                             {*scene, options.scene, options.given.words(), curve->drawn_by, kCurveColumns, times}));
     const auto peak = std::ranges::max_element(curve->samples, dimmer);
     fmt::print("{0}.csv, {0}.svg: {1} times from {2:g} to {3:g} r_s/c; brightest at {4:g}, {5:.4g}\n", options.output,
                options.steps, from, to, peak->time, peak->flux[0]);
@@ -157,8 +166,9 @@ void add_lightcurve(Command& parent) {
                     "Scene file, or the name of a built-in scene, in which something changes with time");
     text_option(command, "-o,--output", options.output, "Name of the files to write, without .csv and .svg");
     number_option(command, "--from", options.from, -1e9, 1e9, "First time, r_s/c (default: the scene's)");
-    number_option(command, "--to", options.to, -1e9, 1e9,
-                  "Last time (default: one orbit of the spots or one pulsation later, else 100)");
+    number_option(
+        command, "--to", options.to, -1e9, 1e9,
+        "Last time (default: that of the last dump, one orbit of the spots or one pulsation later, else 100)");
     number_option(command, "--steps", options.steps, 2, 100000, "Number of points in time");
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     command

@@ -46,6 +46,7 @@ Status write_table(const std::string& csv_file, const std::string& csv, const st
                    const TableOrigin& origin) {
     PictureOrigin made{origin.scene, origin.scene_name.empty() ? SceneFolders{} : scene_folders(origin.scene_name)};
     made.options = origin.options, made.renderer = origin.renderer, made.version = kVersionText;
+    made.times = origin.times;
     TRY(words, picture_words(made));
     if (!origin.columns.empty()) (*words)["nullscope.columns"] = origin.columns;
     std::string metadata = "<metadata xmlns:n=\"nullscope\">\n";

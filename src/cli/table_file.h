@@ -34,7 +34,8 @@ struct TableOrigin {
     Scene scene;             // with the size and the time that were drawn
     std::string scene_name;  // its file or name, "" for none
     std::string options, renderer{};
-    std::string columns{};  // what they mean, lines for people
+    std::string columns{};        // what they mean, lines for people
+    std::vector<double> times{};  // PictureOrigin::times
 };
 
 // svg: of a whole document. Errors: a file of the scene cannot be read, one cannot be written.

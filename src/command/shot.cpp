@@ -1,5 +1,7 @@
 #include "command/shot.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -7,6 +9,7 @@
 #include "base/assets.h"
 #include "command/stereo_capture.h"
 #include "plan/shutter.h"
+#include "scene/medium_dumps.h"
 #include "scene/split.h"
 #include "shaderlib/frontier.h"
 
@@ -39,6 +42,31 @@ Scene scene_at(const Shot& shot, double time_step, double frame) {
 
 Exposure exposure_in(const Shot& shot, double time_step, int frame) {
     return exposure_of([&](double at) { return scene_at(shot, time_step, at); }, frame);
+}
+
+std::vector<double> times_in(const Shot& shot, double time_step, Frames frames) {
+    std::vector<double> times;
+    if (!has_dumps(shot.scene) && !(shot.split && has_dumps(*shot.split))) return times;
+    for (int frame = frames.first; frame < frames.end; ++frame)
+        for (const double time : times_of(exposure_in(shot, time_step, frame))) times.push_back(time);
+    return times;
+}
+
+Status check_times(const Shot& shot, double time_step, Frames frames, const std::string& file) {
+    for (const Scene* scene : {&shot.scene, shot.split ? &*shot.split : nullptr}) {
+        if (scene == nullptr || !has_dumps(*scene)) continue;
+        for (int frame = frames.first; frame < frames.end; ++frame)
+            for (const double time : times_in(shot, time_step, {frame, frame + 1}))
+                if (const auto fault = dump_time_fault(scene->medium->grid, time)) {
+                    Error error = bad_input(
+                        fmt::format("{}time {}", frames.end - frames.first > 1 ? fmt::format("frame {}: ", frame) : "",
+                                    fault->what),
+                        fault->allowed);
+                    error.file = file;
+                    return error;
+                }
+    }
+    return Done{};
 }
 
 Result<Method> chosen_method(const std::string& name, std::optional<double> max_error, const Scene& scene,

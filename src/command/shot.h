@@ -2,8 +2,10 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
+#include "command/arguments.h"
 #include "command/capture_picture.h"
 #include "observer/path.h"
 #include "scene/exposure.h"
@@ -23,6 +25,10 @@ struct Shot {
 // time_step: scene time from frame to frame, r_s/c, where the path does not say it.
 Scene scene_at(const Shot& shot, double time_step, double frame);
 Exposure exposure_in(const Shot& shot, double time_step, int frame);
+// Of all pictures that these frames are made of; empty where none is of a simulation's dumps. And whether there are dumps for each of
+// them: an error says file, frame and the times that are allowed.
+std::vector<double> times_in(const Shot& shot, double time_step, Frames frames);
+Status check_times(const Shot& shot, double time_step, Frames frames, const std::string& file);
 
 // By its name, or "auto": the cheapest that was measured to keep max_error (px); said to the listener.
 Result<Method> chosen_method(const std::string& name, std::optional<double> max_error, const Scene& scene,

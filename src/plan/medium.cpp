@@ -9,6 +9,7 @@
 #include "expr/formula.h"
 #include "light/black_body.h"
 #include "plan/medium_model.h"
+#include "scene/medium_dumps.h"
 #include "scene/medium_grid.h"
 #include "spacetime/axial_metric.h"
 #include "spacetime/spherical_metric.h"
@@ -72,7 +73,7 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
 std::string medium_note(const Spacetime& spacetime, const Scene& scene) {
     constexpr double kNoCharge = 1e-12;  // of outer inner - a^2, which is Q^2
     if (!scene.medium || scene.medium->kind != MediumKind::kGrid) return "";
-    const auto grid = load_medium_grid(scene.medium->grid.file);
+    const auto grid = medium_grid_at(scene);
     if (!grid) return "";
     const auto hole = medium_hole(spacetime);
     const bool flat = !spacetime.bends_light(),

@@ -6,21 +6,40 @@
 #include "base/assets.h"
 #include "plan/medium.h"
 #include "plan/medium_model.h"
+#include "scene/medium_dumps.h"
 #include "spacetime/spacetime.h"
 
 namespace nullscope {
 namespace {
 
+namespace fs = std::filesystem;
+
 bool is_grid(const Scene& s) { return s.medium->kind == MediumKind::kGrid; }
-constexpr std::string_view kGrid = "kind = \"grid\"";
+bool is_of_dumps(const Scene& s) { return is_grid(s) && has_dumps(s.medium->grid); }
+constexpr std::string_view kGrid = "kind = \"grid\"", kDumps = "file = \"NAME%05d.grid\"";
+constexpr KeyRange kNumbers = closed(0, 999999999);
 constexpr double kShippedGridSpin = 0.9;  // of assets/medium/torus.grid
 
 std::vector<SceneKey> grid_keys() {
     const std::string_view scaled = kinds_with(kDensityScale);
     return {
         {"medium", "file", KeyType::kFile, "", "", kNoRange, "grid of matter",
-         "File with the matter; docs/matter.md has its format. Needs kind = \"grid\".",
-         [](auto& s) { return &s.medium->grid.file; }, is_grid, kGrid, true},
+         "File with the matter; docs/matter.md has its format. With a placeholder for a number (%05d, %d or #####) "
+         "in its name, the dumps of a simulation at equal steps of time. Needs kind = \"grid\".",
+         [](auto& s) { return &s.medium->grid.file; }, is_grid, kGrid, true, true},
+        {"medium", "first", KeyType::kWhole, "", "", kNumbers, "",
+         "Number of the first dump; without it the least in the folder. Needs a file with a placeholder.",
+         [](auto& s) { return &s.medium->grid.first; }, is_of_dumps, kDumps},
+        {"medium", "last", KeyType::kWhole, "", "", kNumbers, "",
+         "Number of the last dump; without it the greatest in the folder. None between may be missing. "
+         "Needs a file with a placeholder.",
+         [](auto& s) { return &s.medium->grid.last; }, is_of_dumps, kDumps},
+        {"medium", "cadence", KeyType::kNumber, "r_s/c", "", kPositive, "",
+         "Time from dump to dump; 1 GM/c^3 is 0.5 r_s/c. Needs a file with a placeholder.",
+         [](auto& s) { return &s.medium->grid.cadence; }, is_of_dumps, kDumps, true},
+        {"medium", "start", KeyType::kNumber, "r_s/c", "0", closed(-1e9, 1e9), "",
+         "Scene time of the first dump. Needs a file with a placeholder.",
+         [](auto& s) { return &s.medium->grid.start; }, is_of_dumps, kDumps},
         {"medium", "density_scale", KeyType::kNumber, "", "1", closed(1e-12, 1e12), "",
          kept(fmt::format("Multiplies the density of model or file (with synchrotron and bremsstrahlung, electrons per "
                           "cm^3), and the magnetic field of a file by its square root. Needs {}.",
@@ -35,9 +54,18 @@ void grid_faults(const Spacetime& spacetime, const Scene& scene, std::vector<Sce
     const MediumSpec& medium = *scene.medium;
     const auto& file = medium.grid.file;
     if (file.empty()) return;
-    const auto grid = load_medium_grid(file);
+    if (has_dumps(medium.grid)) {
+        auto fault = dump_fault(medium.grid);
+        if (!fault && !(medium.grid.cadence > 0.0))
+            fault = {"medium.cadence", "missing, but medium.file is of dumps", "the time from dump to dump, r_s/c",
+                     "medium.file"};
+        if (!fault) fault = dump_time_fault(medium.grid, scene.time);
+        if (fault) return faults.push_back(*fault);
+    }
+    const auto grid = medium_grid_at(scene);
     if (!grid) {
-        faults.push_back(file_fault("medium.file", file, grid.error(), "a grid of matter"));
+        const auto& at = grid.error().file;
+        faults.push_back(file_fault("medium.file", at.empty() ? file : fs::path(at), grid.error(), "a grid of matter"));
         return;
     }
     const auto hole = medium_hole(spacetime);
@@ -83,7 +111,11 @@ const MediumModel kFileModel{
     .shares = kOuter | kSphere | kDensityScale | kLaws,
     .traits = {.turn = true, .any_density = true},
     .keys = grid_keys,
-    .words = [](const MediumSpec& m) { return fmt::format("of file \"{}\"", m.grid.file.filename().string()); },
+    .words =
+        [](const MediumSpec& m) {
+            return fmt::format("of file \"{}\"{}", m.grid.file.filename().string(),
+                               has_dumps(m.grid) ? ": " + dump_words(m.grid) : "");
+        },
     .farthest = [](const MediumSpec& m) { return m.outer; },
     .least_step = nullptr,
     .spans = sphere_spans,

@@ -6,6 +6,7 @@
 #include "plan/body_kind.h"
 #include "plan/medium.h"
 #include "scene/bodies.h"
+#include "scene/medium_dumps.h"
 
 namespace nullscope {
 
@@ -32,6 +33,11 @@ std::vector<std::string> moving_parts(const Scene& scene) {
         if (const char* key = kind_of(scene.bodies[i]).moves(scene.bodies[i]))
             parts.push_back(fmt::format("{}.{}", body_section(scene, i), key));
     return parts;
+}
+
+bool changes_with_time(const Scene& scene) {
+    const bool film = has_dumps(scene) && scene.medium->grid.last > scene.medium->grid.first;
+    return film || !moving_parts(scene).empty();
 }
 
 std::string moving_words(const Scene& scene) {

@@ -14,6 +14,9 @@ std::vector<std::string> moving_parts(const Scene& scene);
 // The first of them, and how many more there are; empty where nothing moves.
 std::string moving_words(const Scene& scene);
 
+// Whether pictures of other times differ: by what moves, or by matter of dumps, which is of one time in all of a picture and not seen late.
+bool changes_with_time(const Scene& scene);
+
 bool surface_moves(const SurfaceSpec& surface);  // whether its formula asks for t
 
 // Radius within which no part of a body that moves is seen, and no ball whose middle is there, r_s; 0: none. Followed back in time, rays stay

@@ -23,7 +23,7 @@ Exposure exposure_of(const std::function<Scene(double)>& at, int frame) {
     Exposure shown(at(frame));
     const PictureSpec& picture = shown.scene.picture;
     if (picture.shutter == 0.0) return shown;
-    const bool moves = !moving_parts(shown.scene).empty();
+    const bool moves = changes_with_time(shown.scene);
     const double part = 1.0 / picture.sub_frames;
     for (int i = 0; i < picture.sub_frames; ++i) {
         Scene scene = at(frame + picture.shutter * ((i + 0.5) * part - 0.5));
@@ -39,6 +39,13 @@ Exposure exposure_of(const std::function<Scene(double)>& at, int frame) {
     }
     if (shown.sub_frames.size() == 1) shown.sub_frames.clear();
     return shown;
+}
+
+std::vector<double> times_of(const Exposure& shown) {
+    std::vector<double> times;
+    for (const SubFrame& each : shown.sub_frames) times.push_back(each.scene.time);
+    if (times.empty()) times.push_back(shown.scene.time);
+    return times;
 }
 
 int smooth_sub_frames(const Exposure& shown) {

@@ -6,6 +6,7 @@
 // at most kSmoothStep_px from one to the next; beyond that fast points leave dots (tests/gpu/test_shutter.cpp).
 #pragma once
 #include <functional>
+#include <vector>
 
 #include "scene/exposure.h"
 
@@ -18,5 +19,7 @@ Exposure exposure_of(const std::function<Scene(double frame)>& at, int frame);
 inline constexpr double kSmoothStep_px = 2.0 / 3.0;
 // How many sub-frames it takes for that, by the turn of the camera alone.
 int smooth_sub_frames(const Exposure& shown);
+
+std::vector<double> times_of(const Exposure& shown);  // of the pictures that are drawn
 
 }  // namespace nullscope

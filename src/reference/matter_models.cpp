@@ -5,7 +5,7 @@
 #include "expr/formula.h"
 #include "reference/matter_model.h"
 #include "reference/medium_grid.h"
-#include "scene/medium_grid.h"
+#include "scene/medium_dumps.h"
 
 namespace nullscope::reference {
 namespace {
@@ -111,7 +111,7 @@ private:
 class FileModel final : public MatterModel {
 public:
     FileModel(const Scene& scene, const Metric& metric) : MatterModel(scene, metric) {
-        if (const auto grid = load_medium_grid(spec_.grid.file)) grid_ = *grid;  // scene files are checked
+        if (const auto grid = medium_grid_at(scene)) grid_ = *grid;  // scene files are checked
     }
     double panel(const MatterPlace& place) const override { return panel_in_sphere(spec_, horizon_, place); }
     double turn() const override { return spec_.outer / spec_.steps; }

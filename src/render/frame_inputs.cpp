@@ -41,7 +41,7 @@ Status FrameInputs::begin(const FrameTables& tables, const Method& method, std::
     if (Status status = disc_.update(disc_file, {.max_side = largest_picture_}, notes); !status) return status;
     if (Status status = body_images_.update(scene, largest_picture_, notes); !status) return status;
     if (Status status = warp_.update(scene.camera, info_.max_texture_size); !status) return status;
-    if (Status status = medium_.update(scene.medium, info_); !status) return status;
+    if (Status status = medium_.update(scene, info_); !status) return status;
     if (const std::string word = medium_note(tables.matter(), scene); !word.empty() && word != medium_told_)
         notes.push_back(medium_told_ = word);
     load_table(tables, method);

@@ -15,7 +15,7 @@
 #include "render/sky_faces.h"
 #include "render/warp_texture.h"
 #include "scene/bodies.h"
-#include "scene/medium_grid.h"
+#include "scene/medium_dumps.h"
 #include "scene/warp_mesh.h"
 #include "shaderlib/passes.h"
 #include "sky/packed_sky.h"
@@ -130,9 +130,16 @@ Status add_files(const Scene& scene, const EffectSet& effects, List& to) {
         to.add("warp mesh", 1, kWarpRow, bytes / (kTexel * kWarpRow), bytes, is<Effect::kWarp>);
     }
     if (effects.contains(medium_effect(MediumKind::kGrid))) {
-        TRY(grid, load_medium_grid(scene.medium->grid.file));
-        to.add("medium grid", (*grid)->around().count, 2LL * (*grid)->rings().count, (*grid)->polar().count,
-               static_cast<long long>((*grid)->bytes()), is<medium_effect(MediumKind::kGrid)>);
+        TRY(grid, medium_grid_at(scene));
+        const long long layers = (*grid)->around().count, width = 2LL * (*grid)->rings().count,
+                        height = (*grid)->polar().count, bytes = static_cast<long long>((*grid)->bytes());
+        constexpr auto kFetches = is<medium_effect(MediumKind::kGrid)>;
+        to.add("medium grid", layers, width, height, bytes, kFetches);
+        if (has_dumps(scene)) {  // two, and what is between them
+            FrameTexture& dumps = to.add("medium dumps", 3 * layers, width, height, 3 * bytes, kFetches);
+            dumps.on_gpu = false;
+            dumps.reason = fmt::format("{}: the two about the time, and their mean", dump_words(scene.medium->grid));
+        }
     }
     return Done{};
 }

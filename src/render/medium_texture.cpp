@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "scene/medium_dumps.h"
+
 namespace nullscope {
 
-Status MediumTexture::update(const std::optional<MediumSpec>& medium, const gl::Info& info) {
-    if (!medium || medium->kind != MediumKind::kGrid) {
+Status MediumTexture::update(const Scene& scene, const gl::Info& info) {
+    if (!scene.medium || scene.medium->kind != MediumKind::kGrid) {
         *this = {};
         return Done{};
     }
-    TRY(grid, load_medium_grid(medium->grid.file));
-    if (grid_ == *grid) return Done{};
+    TRY(grid, medium_grid_at(scene));
+    if (form_ && of_.lock() == *grid) return Done{};
     const int width = 2 * (*grid)->rings().count, height = (*grid)->polar().count, layers = (*grid)->around().count;
     if (width > info.max_texture_size || height > info.max_texture_size || layers > info.max_layers)
         return bad_input(
@@ -18,7 +20,8 @@ Status MediumTexture::update(const std::optional<MediumSpec>& medium, const gl::
             fmt::format("at most {} a side and {} layers here", info.max_texture_size, info.max_layers));
     *this = {};  // before its successor is there too
     texture_ = gl::make_number_layers(width, height, layers, (*grid)->numbers().data());
-    grid_ = *grid;
+    of_ = *grid;
+    form_ = (*grid)->without_numbers();
     return Done{};
 }
 

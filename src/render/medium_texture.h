@@ -13,13 +13,14 @@ namespace nullscope {
 
 class MediumTexture {
 public:
-    // Empty where the scene has no such medium. Errors: load_medium_grid()'s, and a grid too large for the driver's textures.
-    Status update(const std::optional<MediumSpec>& medium, const gl::Info& info);
+    // Empty where the scene has no such medium. Errors: medium_grid_at()'s, and a grid too large for the driver's textures.
+    Status update(const Scene& scene, const gl::Info& info);
     const gl::Texture& texture() const { return texture_; }
-    const MediumGrid* grid() const { return grid_.get(); }  // nullptr: empty
+    const MediumGrid* grid() const { return form_ ? &*form_ : nullptr; }  // without its numbers; nullptr: empty
 
 private:
-    std::shared_ptr<const MediumGrid> grid_;
+    std::weak_ptr<const MediumGrid> of_;  // dumps are kept elsewhere, as long as they are needed
+    std::optional<MediumGrid> form_;
     gl::Texture texture_;
 };
 

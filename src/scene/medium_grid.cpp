@@ -10,6 +10,7 @@
 #include <numbers>
 #include <span>
 
+#include "base/atomic_file.h"
 #include "base/file_cache.h"
 #include "base/text.h"
 
@@ -21,7 +22,40 @@ constexpr std::size_t kLongestNote = 1100;
 constexpr std::size_t kLargestFile = MediumGrid::kMostNodes * kBytes + 8 * kLongestLine + 2 * kLongestNote;
 constexpr double kFarthest = 1e6;  // r_s
 
-class Head {
+float number_at(const char* bytes) {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian({bytes, sizeof(float)})));
+}
+
+// Of a node's numbers, in the order of the file.
+struct NodeRange {
+    const char* name;
+    double least, most;
+};
+constexpr NodeRange kDensity{"density", 0, MediumGrid::kDensest},
+    kTemperature{"temperature", 0, MediumGrid::kHottest_K},
+    kField{"field", -MediumGrid::kStrongest_G, MediumGrid::kStrongest_G},
+    kSpeed{"velocity", -MediumGrid::kFastest, MediumGrid::kFastest};
+constexpr std::array<NodeRange, MediumGrid::kNumbers> kRanges = {kDensity, kTemperature, kField, kField,
+                                                                 kField,   kSpeed,       kSpeed, kSpeed};
+
+float logarithm(float value) {
+    return static_cast<float>(std::log2(std::max(static_cast<double>(value), MediumGrid::kLeastDensity)));
+}
+
+// The numbers of a node; returns which of them is out of its range, or their count.
+std::size_t read_node(const char* from, std::span<float> value) {
+    for (std::size_t n = 0; n < value.size(); ++n) {
+        value[n] = number_at(from + n * sizeof(float));
+        // As floats: the limits are some of these.
+        if (!(value[n] >= static_cast<float>(kRanges[n].least) && value[n] <= static_cast<float>(kRanges[n].most)))
+            return n;
+    }
+    return value.size();
+}
+
+}  // namespace
+
+class MediumGrid::Head {
 public:
     Head(std::string_view bytes, std::string_view name) : rest_(bytes), name_(name) {}
 
@@ -76,79 +110,62 @@ private:
     int line_ = 0;
 };
 
-float number_at(const char* bytes) {
-    return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian({bytes, sizeof(float)})));
-}
-
-// Of a node's numbers, in the order of the file.
-struct NodeRange {
-    const char* name;
-    double least, most;
-};
-constexpr NodeRange kDensity{"density", 0, MediumGrid::kDensest},
-    kTemperature{"temperature", 0, MediumGrid::kHottest_K},
-    kField{"field", -MediumGrid::kStrongest_G, MediumGrid::kStrongest_G},
-    kSpeed{"velocity", -MediumGrid::kFastest, MediumGrid::kFastest};
-constexpr std::array<NodeRange, MediumGrid::kNumbers> kRanges = {kDensity, kTemperature, kField, kField,
-                                                                 kField,   kSpeed,       kSpeed, kSpeed};
-
-float logarithm(float value) {
-    return static_cast<float>(std::log2(std::max(static_cast<double>(value), MediumGrid::kLeastDensity)));
-}
-
-// The numbers of a node; returns which of them is out of its range, or their count.
-std::size_t read_node(const char* from, std::span<float> value) {
-    for (std::size_t n = 0; n < value.size(); ++n) {
-        value[n] = number_at(from + n * sizeof(float));
-        // As floats: the limits are some of these.
-        if (!(value[n] >= static_cast<float>(kRanges[n].least) && value[n] <= static_cast<float>(kRanges[n].most)))
-            return n;
-    }
-    return value.size();
-}
-
-}  // namespace
-
-Result<MediumGrid> MediumGrid::parse(std::string_view bytes, const std::string& name) {
-    Head head(bytes, name);
-    MediumGrid grid;
+Status MediumGrid::read_head(Head& head) {
     TRY(version, head.words("nullscope-medium", 1, "nullscope-medium 1"));
     if (version->front() != "1") return head.wrong("another version of the format", "nullscope-medium 1");
     constexpr const char* kSystems = "coordinates kerr-schild, or coordinates boyer-lindquist";
     TRY(system, head.words("coordinates", 1, kSystems));
-    grid.kerr_schild_ = system->front() == "kerr-schild";
-    if (!grid.kerr_schild_ && system->front() != "boyer-lindquist") return head.wrong("other coordinates", kSystems);
+    kerr_schild_ = system->front() == "kerr-schild";
+    if (!kerr_schild_ && system->front() != "boyer-lindquist") return head.wrong("other coordinates", kSystems);
     TRY(spin, head.words("spin", 1, "spin A"));
     TRY(a, head.number(spin->front(), "spin", 0, 1));
-    grid.spin_ = *a;
+    spin_ = *a;
 
     TRY(rings, head.words("r", 3, "r FIRST LAST COUNT"));
     TRY(nearest, head.number((*rings)[0], "first r", 1e-3, kFarthest));
     TRY(farthest, head.number((*rings)[1], "last r", 1.001 * *nearest, kFarthest));
     TRY(ring_count, head.count((*rings)[2], "nodes of r", 2, kMostRings));
-    grid.rings_ = {std::log(*nearest), std::log(*farthest / *nearest) / (*ring_count - 1), *ring_count};
+    rings_ = {std::log(*nearest), std::log(*farthest / *nearest) / (*ring_count - 1), *ring_count};
     TRY(polar, head.words("theta", 3, "theta FIRST LAST COUNT"));
     TRY(north, head.number((*polar)[0], "first theta", 0, 3.1));
     TRY(south, head.number((*polar)[1], "last theta", *north + 1e-3, std::numbers::pi + 1e-6));
     TRY(polar_count, head.count((*polar)[2], "nodes of theta", 2, kMostSide));
-    grid.polar_ = {*north, (*south - *north) / (*polar_count - 1), *polar_count};
+    polar_ = {*north, (*south - *north) / (*polar_count - 1), *polar_count};
     TRY(around, head.words("phi", 2, "phi FIRST COUNT"));
     TRY(first, head.number((*around)[0], "first phi", -2 * std::numbers::pi, 2 * std::numbers::pi));
     TRY(around_count, head.count((*around)[1], "nodes of phi", 1, kMostAround));
-    grid.around_ = {*first, 2 * std::numbers::pi / *around_count, *around_count};
+    around_ = {*first, 2 * std::numbers::pi / *around_count, *around_count};
     TRY(converter, head.note("converter"));
     TRY(source, head.note("source"));
-    grid.converter_ = *converter, grid.source_ = *source;
+    converter_ = *converter, source_ = *source;
     TRY(data, head.words("data", 0, "data"));
+    if (nodes() > kMostNodes)
+        return head.wrong(fmt::format("{} nodes", nodes()), fmt::format("at most {}", kMostNodes));
+    return Done{};
+}
 
-    const auto r = static_cast<std::size_t>(*ring_count), t = static_cast<std::size_t>(*polar_count),
-               p = static_cast<std::size_t>(*around_count), nodes = r * t * p;
-    if (nodes > kMostNodes) return head.wrong(fmt::format("{} nodes", nodes), fmt::format("at most {}", kMostNodes));
+Result<MediumGrid> MediumGrid::parse_head(std::string_view bytes, const std::string& name, std::size_t file_size) {
+    Head head(bytes, name);
+    MediumGrid grid;
+    TRY(read, grid.read_head(head));
+    const std::size_t before = bytes.size() - head.rest().size(), follow = file_size - std::min(before, file_size);
+    if (follow != grid.bytes())
+        return head.wrong(fmt::format("{} bytes follow", follow),
+                          fmt::format("{} of {} nodes", grid.bytes(), grid.nodes()));
+    return grid;
+}
+
+Result<MediumGrid> MediumGrid::parse(std::string_view bytes, const std::string& name) {
+    Head head(bytes, name);
+    MediumGrid grid;
+    TRY(read, grid.read_head(head));
     const std::string_view rest = head.rest();
-    if (rest.size() != nodes * kBytes)
+    if (rest.size() != grid.bytes())
         return head.wrong(fmt::format("{} bytes follow", rest.size()),
-                          fmt::format("{} of {} nodes", nodes * kBytes, nodes));
-    grid.numbers_.resize(nodes * kNumbers);
+                          fmt::format("{} of {} nodes", grid.bytes(), grid.nodes()));
+    const auto r = static_cast<std::size_t>(grid.rings_.count), t = static_cast<std::size_t>(grid.polar_.count),
+               p = static_cast<std::size_t>(grid.around_.count);
+    grid.numbers_.resize(grid.nodes() * kNumbers);
     const char* from = rest.data();
     for (std::size_t i = 0; i < r; ++i) {
         const auto fall =
@@ -176,12 +193,51 @@ double MediumGrid::nearest() const { return std::exp(rings_.first); }
 
 double MediumGrid::farthest() const { return std::exp(rings_.first + rings_.step * (rings_.count - 1)); }
 
+std::size_t MediumGrid::nodes() const {
+    return static_cast<std::size_t>(rings_.count) * static_cast<std::size_t>(polar_.count) *
+           static_cast<std::size_t>(around_.count);
+}
+
+MediumGrid MediumGrid::without_numbers() const {
+    MediumGrid grid;
+    grid.kerr_schild_ = kerr_schild_, grid.spin_ = spin_, grid.converter_ = converter_, grid.source_ = source_;
+    grid.rings_ = rings_, grid.polar_ = polar_, grid.around_ = around_;
+    return grid;
+}
+
+MediumGrid MediumGrid::between(const MediumGrid& a, const MediumGrid& b, double part) {
+    MediumGrid grid = a.without_numbers();
+    grid.numbers_.resize(a.numbers_.size());
+    std::ranges::transform(a.numbers_, b.numbers_, grid.numbers_.begin(), [part](float x, float y) {
+        return static_cast<float>(static_cast<double>(x) + part * (static_cast<double>(y) - static_cast<double>(x)));
+    });
+    return grid;
+}
+
+const char* MediumGrid::other_nodes(const MediumGrid& than) const {
+    constexpr double kSame = 1e-9;
+    const auto same = [](const Axis& a, const Axis& b) {
+        return a.count == b.count && std::abs(a.first - b.first) <= kSame &&
+               std::abs(a.step - b.step) * a.count <= kSame;
+    };
+    if (kerr_schild_ != than.kerr_schild_) return "coordinates";
+    if (std::abs(spin_ - than.spin_) > kSame) return "spin";
+    if (!same(rings_, than.rings_)) return "nodes of r";
+    if (!same(polar_, than.polar_)) return "nodes of theta";
+    return same(around_, than.around_) ? nullptr : "nodes of phi";
+}
+
 const float* MediumGrid::node(int ring, int polar, int around) const {
     const auto at =
         (static_cast<std::size_t>(around) * static_cast<std::size_t>(polar_.count) + static_cast<std::size_t>(polar)) *
             static_cast<std::size_t>(rings_.count) +
         static_cast<std::size_t>(ring);
     return numbers_.data() + at * kNumbers;
+}
+
+Result<MediumGrid> read_medium_grid(const std::filesystem::path& file) {
+    TRY(text, read_text(file, kLargestFile));
+    return MediumGrid::parse(*text, file.string());
 }
 
 Result<std::shared_ptr<const MediumGrid>> load_medium_grid(const std::filesystem::path& file) {

@@ -45,6 +45,14 @@ public:
 
     // name: of the file, for messages. Errors: what is no such file, with its line or node.
     static Result<MediumGrid> parse(std::string_view bytes, const std::string& name);
+    // What stands before the numbers, of which there are none; bytes: at least all of that. file_size: of the whole file.
+    static Result<MediumGrid> parse_head(std::string_view bytes, const std::string& name, std::size_t file_size);
+    static constexpr std::size_t kMostHead = 1u << 12;
+    // Numbers on the straight line from those of `a`, part 0, to those of `b`, part 1, which has the same nodes.
+    static MediumGrid between(const MediumGrid& a, const MediumGrid& b, double part);
+    MediumGrid without_numbers() const;
+    // What differs, but for numbers, notes and roundings: "spin", "nodes of theta", ...; nullptr: nothing.
+    const char* other_nodes(const MediumGrid& than) const;
 
     double spin() const { return spin_; }
     bool kerr_schild() const { return kerr_schild_; }
@@ -59,16 +67,21 @@ public:
     const Axis& around() const { return around_; }
     // Eight numbers of each node, r changes fastest, then theta: log2 of the density, velocity as said above; log2 of the temperature, field.
     const std::vector<float>& numbers() const { return numbers_; }
-    std::size_t bytes() const { return sizeof(float) * numbers_.size(); }
+    std::size_t nodes() const;
+    std::size_t bytes() const { return sizeof(float) * kNumbers * nodes(); }  // of all numbers
     const float* node(int ring, int polar, int around) const;
 
 private:
+    class Head;
+    Status read_head(Head& head);
     bool kerr_schild_ = true;
     double spin_ = 0;
     std::string converter_, source_;
     Axis rings_, polar_, around_;
     std::vector<float> numbers_;
 };
+
+Result<MediumGrid> read_medium_grid(const std::filesystem::path& file);
 
 // The grid of a file, read once, and again when the file has changed; the last two are kept. Thread-safe.
 Result<std::shared_ptr<const MediumGrid>> load_medium_grid(const std::filesystem::path& file);

@@ -49,8 +49,12 @@ struct MediumFormulas {
     std::string outward = "0", south = "0", east = "0";
     friend bool operator==(const MediumFormulas&, const MediumFormulas&) = default;
 };
-struct GridMatter {  // scene/medium_grid.h
+// scene/medium_grid.h; of a simulation's dumps, which a placeholder in the file's name stands for (scene/medium_dumps.h), the numbers of the
+// first and the last one (below 0: those of the folder, once the scene was read), the time between two and that of the first; r_s/c.
+struct GridMatter {
     std::filesystem::path file{};
+    int first = -1, last = -1;
+    double cadence = 0.0, start = 0.0;
     friend bool operator==(const GridMatter&, const GridMatter&) = default;
 };
 

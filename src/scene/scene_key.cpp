@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/numbered_files.h"
 #include "base/text.h"
 #include "spacetime/registry.h"
 
@@ -39,8 +40,9 @@ std::string allowed_text(const SceneKey& key) {
         case KeyType::kChoice: return list_of(split(key.choices, ' '));
         case KeyType::kText: return fmt::format("one line of at most {} bytes", kLongestText);
         case KeyType::kFile:
-            return fmt::format("{} file, relative to the scene file",
-                               key.choices.empty() ? "an image" : fmt::format("a {}", key.choices));
+            return fmt::format("{} file, relative to the scene file{}",
+                               key.choices.empty() ? "an image" : fmt::format("a {}", key.choices),
+                               key.series ? fmt::format(", or several with {} in the name", kNumberPlaces) : "");
         case KeyType::kMetric: break;
     }
     std::vector<std::string> metrics;

@@ -41,6 +41,7 @@ struct SceneKey {
     bool (*meant)(const Scene&) = nullptr;  // whether the key means anything in this scene; null: in every one ...
     std::string_view with = {};             // ... and else with what, for the message: "kind = \"image\""
     bool needed = false;                    // and whether it must be there then
+    bool series = false;  // kFile: a placeholder for a number in the name stands for several (base/numbered_files.h)
 };
 
 // A row of a key that is on or off: fallback says which by default.

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "base/assets.h"
+#include "base/file_part.h"
+#include "base/numbered_files.h"
 #include "base/sha256.h"
 #include "base/text.h"
 #include "image/picture_texts.h"
+#include "scene/medium_dumps.h"
 #include "scenefile/scene_writer.h"
 
 namespace nullscope {
@@ -23,18 +26,34 @@ namespace fs = std::filesystem;
 std::string grid_head(const fs::path& file) {
     constexpr std::string_view kFirst = "nullscope-medium ", kLast = "\ndata\n";
     constexpr std::size_t kMostHead = 1u << 16;
-    std::string head(kMostHead, '\0');
-    std::ifstream in(file, std::ios::binary);
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+    const std::string head = file_part(file, kMostHead, FileEnd::kFirst);
     const std::size_t end = head.find(kLast);
     return head.starts_with(kFirst) && end != std::string::npos ? head.substr(0, end) : "";
 }
 
-// Adds the files of a scene to the words: a line of each, as sha256sum prints it, and the heads of grids.
-Status add_files(const WrittenScene& scene, std::map<std::string, std::string>& words) {
+using NamedFiles = std::vector<std::pair<std::string, fs::path>>;  // as written, and where they are
+
+// Files of a scene; of dumps those about the times.
+NamedFiles files_at(const Scene& scene, const WrittenScene& written, const std::vector<double>& times) {
+    NamedFiles files;
+    for (const auto& [name, file] : written.files) {
+        if (!has_dumps(scene) || file != scene.medium->grid.file) {
+            files.emplace_back(name, file);
+            continue;
+        }
+        std::set<fs::path> dumps;
+        for (const double time : times)
+            for (fs::path& dump : dumps_about(scene.medium->grid, time)) dumps.insert(std::move(dump));
+        for (const fs::path& dump : dumps)
+            files.emplace_back((fs::path(name).parent_path() / dump.filename()).string(), dump);
+    }
+    return files;
+}
+
+// Adds them to the words: a line of each, as sha256sum prints it, and the heads of grids.
+Status add_files(const NamedFiles& files, std::map<std::string, std::string>& words) {
     std::string& lines = words[kFilesWord];
-    for (const auto& [written, file] : scene.files) {
+    for (const auto& [written, file] : files) {
         TRY(hash, sha256_of(file));
         const std::string line = fmt::format("{}  {}", *hash, written);
         if (lines.find(line) == std::string::npos) lines += (lines.empty() ? "" : "\n") + line;
@@ -44,16 +63,26 @@ Status add_files(const WrittenScene& scene, std::map<std::string, std::string>& 
 }
 
 // Files that are no longer those that the picture was drawn from.
-void say_other_files(const std::map<std::string, std::string>& words, const WrittenScene& scene,
+void say_other_files(const std::map<std::string, std::string>& words, const Scene& scene, const WrittenScene& written,
                      const std::string& picture, const Note& note) {
+    NamedFiles known = written.files;
+    if (has_dumps(scene)) {  // which of them, the picture says
+        const GridMatter& dumps = scene.medium->grid;
+        const auto files = NumberedFiles::parse(dumps.file.filename().string(), dumps.file.parent_path().string());
+        const auto pattern = std::ranges::find(known, dumps.file, &std::pair<std::string, fs::path>::second);
+        const fs::path folder = pattern != known.end() ? fs::path(pattern->first).parent_path() : fs::path();
+        for (int number = dumps.first; files && number <= dumps.last; ++number) {
+            const fs::path file = files->of(number);
+            known.emplace_back((folder / file.filename()).string(), file);
+        }
+    }
     const auto files = words.find(kFilesWord);
     if (files == words.end()) return;
     for (const std::string& line : split(files->second, '\n')) {
         constexpr std::size_t kDigits = 64;
         if (line.size() < kDigits + 2) continue;
-        const auto found =
-            std::ranges::find(scene.files, line.substr(kDigits + 2), &std::pair<std::string, fs::path>::first);
-        if (found == scene.files.end()) continue;
+        const auto found = std::ranges::find(known, line.substr(kDigits + 2), &std::pair<std::string, fs::path>::first);
+        if (found == known.end()) continue;
         const auto now = sha256_of(found->second);
         if (now && *now != line.substr(0, kDigits))
             note(without_controls(
@@ -72,11 +101,12 @@ Result<std::map<std::string, std::string>> picture_words(const PictureOrigin& or
                                                 {kSceneWord, written.text},
                                                 {"nullscope.scene_hash", fmt::format("{:016x}", fnv1a(written.text))},
                                                 {"nullscope.version", origin.version}};
-    TRY(added, add_files(written, words));
+    const std::vector<double> times = origin.times.empty() ? std::vector{origin.scene.time} : origin.times;
+    TRY(added, add_files(files_at(origin.scene, written, times), words));
     if (origin.split) {
         const WrittenScene other = written_scene(*origin.split, origin.split_folders);
         words[kSplitWord] = other.text;
-        TRY(more, add_files(other, words));
+        TRY(more, add_files(files_at(*origin.split, other, times), words));
     }
     if (origin.frame) words[kFrameWord] = fmt::format("{}", *origin.frame);
     words[kOptionsWord] = origin.options;
@@ -96,7 +126,7 @@ Result<Scene> scene_of_words(const std::map<std::string, std::string>& words, co
                                          in_quotes(file), kSceneWord)));
     const SceneFolders folders = picture_folders(file);
     TRY(scene, parse_scene_in(folders, text->second, file));
-    say_other_files(words, written_scene(*scene, folders), file, note);
+    say_other_files(words, *scene, written_scene(*scene, folders), file, note);
     return scene;
 }
 

@@ -20,6 +20,8 @@ struct PictureOrigin {
     std::string renderer{};      // the driver, or the reference tracer
     std::optional<int> frame{};  // of a sequence or film
     std::string version{};       // of the program
+    std::vector<double>
+        times{};  // of the moments that it shows, where they are not the scene's alone; of a film's pictures
 };
 
 // The list that every writer of pictures uses, by keyword: docs/command-line.md, "What a picture says". It has neither dates nor names of machines,

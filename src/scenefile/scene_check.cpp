@@ -17,6 +17,7 @@
 #include "plan/moving.h"
 #include "plan/sides.h"
 #include "scene/bodies.h"
+#include "scene/medium_dumps.h"
 #include "scene/picture_size.h"
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
@@ -344,6 +345,7 @@ void settle_defaults(Scene& scene, const GivenKeys& given) {
     if (scene.disc && scene.disc->material.texture == TextureKind::kGas &&
         scene.disc->emission == DiscEmission::kThermal && !given("disc.colour"))
         scene.disc->material.colour = {1, 1, 1};
+    if (has_dumps(scene)) settle_dumps(scene.medium->grid);
     if (scene.path && scene.path->kind == PathKind::kKeys && !given("path.frames") && !scene.path->keys.empty())
         scene.path->frames = std::max(2, static_cast<int>(scene.path->keys.back().frame) + 1);
 }

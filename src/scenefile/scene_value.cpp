@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/numbered_files.h"
 #include "base/text.h"
 #include "expr/formula.h"
 #include "spacetime/registry.h"
@@ -115,9 +116,13 @@ Checked check_text(const SceneKey& key, const std::string& text, const SceneFold
         if (const auto formula = expr::Formula::parse(text, split(key.choices, ' ')); !formula)
             return bad_input(formula.error().what);
     } else if (key.type == KeyType::kFile) {
+        const bool several = key.series && names_numbers(fs::path(text).filename().string());
         const auto there = std::ranges::find_if(folders, [&](const fs::path& folder) {
             std::error_code error;
-            return fs::is_regular_file(folder / text, error);
+            if (!several) return fs::is_regular_file(folder / text, error);
+            const fs::path file = folder / text;
+            const auto files = NumberedFiles::parse(file.filename().string(), file.parent_path().string());
+            return !files || !files->on_disk().empty();  // of too many placeholders others tell
         });
         if (there == folders.end()) return bad_input(fmt::format("there is no file {}", in_quotes(text)));
         value.path = *there / text;

@@ -1,0 +1,248 @@
+#include "scene/medium_dumps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <utility>
+
+#include "base/file_part.h"
+#include "base/numbered_files.h"
+#include "base/text.h"
+
+namespace nullscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFile = "medium.file";
+constexpr std::size_t kWitness = 1u << 16;  // bytes of either end of a dump
+
+std::optional<NumberedFiles> files_of(const GridMatter& grid) {
+    return NumberedFiles::parse(grid.file.filename().string(), grid.file.parent_path().string());
+}
+
+std::string name_of(const fs::path& file) { return in_quotes(without_controls(file.filename().string())); }
+
+// Of the first dump's time, in dumps; on a dump within a rounding.
+double dump_at(const GridMatter& grid, double time) {
+    constexpr double kSame = 1e-9;
+    const double at = (time - grid.start) / grid.cadence, nearest = std::round(at);
+    return std::abs(at - nearest) <= kSame * std::max(1.0, std::abs(at)) ? nearest : at;
+}
+
+Result<MediumGrid> head_of(const fs::path& file) {
+    std::error_code none;
+    const std::uintmax_t size = fs::file_size(file, none);
+    return MediumGrid::parse_head(file_part(file, MediumGrid::kMostHead, FileEnd::kFirst), file.string(),
+                                  none ? 0 : static_cast<std::size_t>(size));
+}
+
+SceneFault other_nodes(const fs::path& file, const fs::path& first, const char* what) {
+    return {kFile, fmt::format("{} has other {} than {}", name_of(file), what, name_of(first)),
+            "the same coordinates, spin and nodes in all dumps"};
+}
+
+std::optional<SceneFault> fault_of_files(const GridMatter& grid, const NumberedFiles& files) {
+    const fs::path first = files.of(grid.first);
+    const std::vector<int> there = files.on_disk();
+    auto at = std::ranges::lower_bound(there, grid.first);
+    for (int number = grid.first; number <= grid.last; ++number, ++at)
+        if (at == there.end() || *at != number)
+            return SceneFault{
+                kFile, fmt::format("there is no file {}", name_of(files.of(number))),
+                fmt::format("all of {} to {}, or other first and last", name_of(first), name_of(files.of(grid.last)))};
+    std::optional<MediumGrid> form;
+    for (int number = grid.first; number <= grid.last; ++number) {
+        const fs::path file = files.of(number);
+        auto head = head_of(file);
+        if (!head) return file_fault(kFile, file, head.error(), "a grid of matter");
+        if (!form)
+            form = std::move(*head);
+        else if (const char* what = head->other_nodes(*form))
+            return other_nodes(file, first, what);
+    }
+    return std::nullopt;
+}
+
+struct Stamp {
+    fs::file_time_type time{};
+    std::uintmax_t size = 0;
+    explicit Stamp(const fs::path& file) {
+        std::error_code none;
+        time = fs::last_write_time(file, none), size = fs::file_size(file, none);
+    }
+    friend bool operator==(const Stamp&, const Stamp&) = default;
+};
+
+using Grid = std::shared_ptr<const MediumGrid>;
+std::atomic<long long> read_count = 0;
+
+Result<Grid> read_dump(const fs::path& file) {
+    ++read_count;
+    TRY(grid, read_medium_grid(file));
+    return std::make_shared<const MediumGrid>(std::move(*grid));
+}
+
+// What is kept of the dumps of one scene.
+class Held {
+public:
+    fs::path pattern;
+    long long used = 0;
+
+    Result<Grid> at(const std::vector<fs::path>& files, double part) {
+        std::vector<Dump> asked;
+        for (const fs::path& file : files) asked.push_back({file, Stamp(file), Grid()});
+        std::erase_if(dumps_, [&](const Dump& dump) {  // before others are read
+            return std::ranges::none_of(asked,
+                                        [&](const Dump& a) { return a.file == dump.file && a.stamp == dump.stamp; });
+        });
+        for (Dump& dump : asked) {
+            const auto held = std::ranges::find(dumps_, dump.file, &Dump::file);
+            dump.grid = held != dumps_.end() ? held->grid : Result<Grid>(Grid());
+            if (held == dumps_.end()) between_.reset(), dump.grid = read_dump(dump.file), dumps_.push_back(dump);
+            if (!dump.grid) return dump.grid.error();
+        }
+        const Grid& a = *asked.front().grid;
+        if (asked.size() == 1) {
+            between_.reset();
+            return a;
+        }
+        const Grid& b = *asked.back().grid;
+        if (const char* what = b->other_nodes(*a)) {
+            const SceneFault fault = other_nodes(asked.back().file, asked.front().file, what);
+            return bad_input(fault.what, fault.allowed);
+        }
+        if (between_ == nullptr || part_ != part) {
+            between_.reset();
+            between_ = std::make_shared<const MediumGrid>(MediumGrid::between(*a, *b, part));
+            part_ = part;
+        }
+        return between_;
+    }
+
+private:
+    struct Dump {
+        fs::path file;
+        Stamp stamp;
+        Result<Grid> grid;
+    };
+    std::vector<Dump> dumps_;  // two at most
+    Grid between_;             // of both, at part_
+    double part_ = 0;
+};
+
+}  // namespace
+
+bool has_dumps(const GridMatter& grid) { return names_numbers(grid.file.filename().string()); }
+
+bool has_dumps(const Scene& scene) {
+    return scene.medium && scene.medium->kind == MediumKind::kGrid && has_dumps(scene.medium->grid);
+}
+
+void settle_dumps(GridMatter& grid) {
+    const auto files = has_dumps(grid) ? files_of(grid) : std::nullopt;
+    if (!files || (grid.first >= 0 && grid.last >= 0)) return;
+    const std::vector<int> there = files->on_disk();
+    if (there.empty()) return;
+    if (grid.first < 0) grid.first = there.front();
+    if (grid.last < 0) grid.last = there.back();
+}
+
+DumpTimes dump_times(const GridMatter& grid) {
+    return {grid.start, grid.start + (grid.last - grid.first) * grid.cadence};
+}
+
+std::string dump_words(const GridMatter& grid) {
+    const auto [from, to] = dump_times(grid);
+    return fmt::format("{} dumps, {} to {}, at times [{:.9g}, {:.9g}] r_s/c", grid.last - grid.first + 1, grid.first,
+                       grid.last, from, to);
+}
+
+std::optional<SceneFault> dump_fault(const GridMatter& grid) {
+    static std::mutex mutex;
+    static GridMatter judged;  // without a fault
+    static fs::file_time_type folder_time;
+    const auto files = files_of(grid);
+    if (!files)
+        return SceneFault{
+            kFile, fmt::format("{} has more than one placeholder for a number, or one too long", name_of(grid.file)),
+            fmt::format("one of {} (up to {} digits), in the file's name", kNumberPlaces, kMostNumberDigits)};
+    if (grid.first < 0 || grid.last < 0)
+        return SceneFault{kFile, fmt::format("there is no file {}", name_of(grid.file)),
+                          "files that a number tells apart"};
+    if (grid.last < grid.first)
+        return SceneFault{"medium.last", fmt::format("{} is below first = {}", grid.last, grid.first), "first <= last",
+                          kFile};
+    std::error_code none;
+    const auto folder = grid.file.parent_path();
+    const auto time = fs::last_write_time(folder.empty() ? fs::path(".") : folder, none);
+    const std::lock_guard lock(mutex);
+    if (judged == grid && folder_time == time) return std::nullopt;
+    auto fault = fault_of_files(grid, *files);
+    if (!fault) judged = grid, folder_time = time;
+    return fault;
+}
+
+std::optional<SceneFault> dump_time_fault(const GridMatter& grid, double time) {
+    if (const double at = dump_at(grid, time); at >= 0 && at <= grid.last - grid.first) return std::nullopt;
+    const auto [from, to] = dump_times(grid);
+    return SceneFault{"time", fmt::format("{:.9g} is not between the dumps of {}", time, kFile),
+                      fmt::format("[{:.9g}, {:.9g}] r_s/c, of dumps {} to {}", from, to, grid.first, grid.last), kFile};
+}
+
+std::vector<fs::path> dumps_about(const GridMatter& grid, double time) {
+    const auto files = files_of(grid);
+    if (!files) return {};
+    const double at = std::clamp(dump_at(grid, time), 0.0, static_cast<double>(std::max(grid.last - grid.first, 0))),
+                 low = std::floor(at);
+    const int first = grid.first + static_cast<int>(low);
+    std::vector<fs::path> about = {files->of(first)};
+    if (at > low) about.emplace_back(files->of(first + 1));
+    return about;
+}
+
+Result<std::shared_ptr<const MediumGrid>> medium_grid_at(const GridMatter& grid, double time) {
+    if (!has_dumps(grid)) return load_medium_grid(grid.file);
+    if (!(grid.cadence > 0) || grid.first < 0 || grid.last < grid.first)
+        return bad_input("medium.file: dumps without their numbers or the time between them");
+    if (const auto fault = dump_time_fault(grid, time)) return bad_key(fault->key, fault->what, fault->allowed);
+    static std::mutex mutex;
+    static std::array<Held, 2> kept;
+    static long long asked = 0;
+    const std::lock_guard lock(mutex);
+    auto held = std::ranges::find(kept, grid.file, &Held::pattern);
+    if (held == kept.end()) {
+        held = std::ranges::min_element(kept, {}, &Held::used);
+        *held = Held();
+        held->pattern = grid.file;
+    }
+    held->used = ++asked;
+    const double at = dump_at(grid, time);
+    return held->at(dumps_about(grid, time), at - std::floor(at));
+}
+
+Result<std::shared_ptr<const MediumGrid>> medium_grid_at(const Scene& scene) {
+    return medium_grid_at(scene.medium->grid, scene.time);
+}
+
+long long dumps_read() { return read_count; }
+
+std::string dumps_stamp(const GridMatter& grid) {
+    const auto files = files_of(grid);
+    if (!files) return "unreadable";
+    std::uint64_t hash = fnv1a("");
+    for (int number = grid.first; number <= grid.last; ++number) {
+        const fs::path file = files->of(number);
+        std::error_code none;
+        hash = fnv1a(fmt::format("{} {}", number, fs::file_size(file, none)), hash);
+        hash = fnv1a(file_part(file, kWitness, FileEnd::kFirst), hash);
+        hash = fnv1a(file_part(file, kWitness, FileEnd::kLast), hash);
+    }
+    return fmt::format("{} files, {:016x}", grid.last - grid.first + 1, hash);
+}
+
+}  // namespace nullscope

@@ -1,0 +1,49 @@
+// Matter of a simulation's dumps: files of the same nodes (scene/medium_grid.h), which a number in their names tells apart, at equal steps of
+// time. Between two of them each number of a node is linear in time, of those that MediumGrid::numbers() has: of density and temperature
+// the logarithms. The whole picture is of one time, the scene's.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "scene/medium_grid.h"
+#include "scene/scene.h"
+#include "scene/scene_fault.h"
+
+namespace nullscope {
+
+bool has_dumps(const GridMatter& grid);
+bool has_dumps(const Scene& scene);
+
+// Numbers below 0: those of the folder, where it has any.
+void settle_dumps(GridMatter& grid);
+
+// Of the first and the last dump, r_s/c.
+struct DumpTimes {
+    double from, to;
+};
+DumpTimes dump_times(const GridMatter& grid);
+std::string dump_words(const GridMatter& grid);  // "12 dumps, 0 to 11, at times [0, 5.5] r_s/c"
+
+// A file that is missing, a dump of other nodes than the first one, numbers that are none. Of their heads alone, once for as long as the
+// folder does not change.
+std::optional<SceneFault> dump_fault(const GridMatter& grid);
+std::optional<SceneFault> dump_time_fault(const GridMatter& grid, double time);
+
+// The dumps about a time, one or two; the nearest one outside of their times.
+std::vector<std::filesystem::path> dumps_about(const GridMatter& grid, double time);
+
+// The matter at a time: that of the file, or of the dumps. At a dump's own time, within 1e-9 of the time between two, that dump's. The dumps
+// about the time that was asked for last are kept, and what is between them; of two scenes with dumps each its own. Thread-safe.
+Result<std::shared_ptr<const MediumGrid>> medium_grid_at(const GridMatter& grid, double time);
+Result<std::shared_ptr<const MediumGrid>> medium_grid_at(const Scene& scene);  // which has such a medium
+
+long long dumps_read();  // by this process, for tests
+
+// Of the dumps first to last: sizes, first and last 64 KiB. What they hold as a stamp needs it, without reading all of them.
+std::string dumps_stamp(const GridMatter& grid);
+
+}  // namespace nullscope
