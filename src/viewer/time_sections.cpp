@@ -7,6 +7,7 @@
 #include "observer/observer.h"
 #include "observer/spin_frame.h"
 #include "plan/moving.h"
+#include "scene/medium_dumps.h"
 #include "spacetime/tortoise.h"
 #include "viewer/sections.h"
 #include "viewer/widgets.h"
@@ -114,7 +115,7 @@ bool fall_section(ViewState& view) {
 bool clock_section(ViewState& view) {
     constexpr double kSpan = 1e4;  // r_s/c that the slider covers
     Scene& scene = view.scene;
-    if (moving_parts(scene).empty()) {
+    if (!changes_with_time(scene)) {
         paragraph("Nothing in this scene changes with time.");
         return false;
     }
@@ -129,8 +130,12 @@ bool clock_section(ViewState& view) {
     const NumberStyle style = style_in(scene, *spacetime, view.numbers);
     slide_as("Rate", view.clock_rate, 1e-2, 1e3, rate_words(view.clock_rate, style),
              "Scene time per second of real time.", Scale::kLogarithmic);
-    bool changed = slide_as("Time", scene.time, 0.0, kSpan, time_words(scene.time, style), "Drag to change the time.",
-                            Scale::kLogarithmic);
+    const auto dumps = has_dumps(scene) ? std::optional(dump_times(scene.medium->grid)) : std::nullopt;
+    bool changed = dumps ? slide_as("Time", scene.time, dumps->from, dumps->to, time_words(scene.time, style),
+                                    "Drag to change the time, between the first and the last dump.")
+                         : slide_as("Time", scene.time, 0.0, kSpan, time_words(scene.time, style),
+                                    "Drag to change the time.", Scale::kLogarithmic);
+    if (dumps) scene.time = std::clamp(scene.time, dumps->from, dumps->to);
     changed |= steps != 0.0;
     if (changed) view.clock_runs = false;
     changed |= tick("Delay", scene.light.delay,
@@ -142,8 +147,11 @@ bool clock_section(ViewState& view) {
 }
 
 bool step_clock(ViewState& view, double dt_s) {
-    if (!view.clock_runs || view.fall.runs() || moving_parts(view.scene).empty()) return false;
+    if (!view.clock_runs || view.fall.runs() || !changes_with_time(view.scene)) return false;
     view.scene.time += dt_s * view.clock_rate;
+    if (!has_dumps(view.scene)) return true;
+    const auto [from, to] = dump_times(view.scene.medium->grid);  // over and over
+    if (view.scene.time > to) view.scene.time = from;
     return true;
 }
 

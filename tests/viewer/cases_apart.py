@@ -2,6 +2,7 @@
 import math
 import os
 import shutil
+import struct
 import subprocess
 import time
 import tomllib
@@ -548,6 +549,49 @@ def test_the_clock_runs_and_stops(screen, program, folder):
         same(before, v.settle(), "with the clock stopped")
         v.click(*DELAY)
         assert v.picture().changed(before, CHANGED), "light that takes no time shows it at the same place"
+    finally:
+        v.kill()
+
+
+def test_dumps_follow_the_clock_without_a_hitch(screen, program, folder):
+    """Matter of a simulation: other threads read its dumps and draw while the clock runs, over and over."""
+    dumps, nodes = 4, (96, 48, 64)   # 9.4 MB each
+    for dump in range(dumps):
+        head = "nullscope-medium 1\ncoordinates kerr-schild\nspin 0\nr 1.1 10 {}\ntheta 0.1 3 {}\nphi 0 {}\ndata\n".format(*nodes)
+        bright = struct.pack("<8f", 4.0 ** dump, 1e4, 0, 0, 0, 0, 0, 0)
+        (folder / f"large-{dump}.grid").write_bytes(head.encode() + bright * math.prod(nodes))
+    scene = UNDER_STARS.replace("[disc]", f"""[object]
+mass_suns = 4e6
+[sky]
+kind = "black"
+[medium]
+kind = "grid"
+file = "{folder}/large-%d.grid"
+cadence = 2
+outer = 9
+emissivity = 3e-21
+""")
+    v = Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--coarse", "2", scene=scene)
+    try:
+        v.start()
+        for header in [*HEADERS, CLOCK]:
+            v.toggle(*header)
+        v.settle("mousemove", *RUN)
+        at, means = v.log.size(), [v.picture().mean()]
+        v.hands("mousedown", 1, "sleep", 0.2, "mouseup", 1)     # no rest while the clock runs
+
+        def came_round():
+            """From the last dump, the brightest, to the first."""
+            means.append(v.picture().mean())
+            return max(means) > 1.5 * means[0] and means[-1] < max(means) / 1.4
+        wait_until("the dumps begin again", came_round, HUNG_S)
+        v.hands("mousedown", 1, "sleep", 0.2, "mouseup", 1)
+        same(v.settle(), v.settle(), "with the clock stopped")
+        turns = v.log.turns(at)
+        longest = dearest(turns)
+        print(f"    of {len(turns)} turns the longest {longest:.0f} ms; mean light {min(means):.1f} to {max(means):.1f}", flush=True)
+        assert len({turn["here"] for turn in turns}) == 1, "the window's thread drew a picture"
+        assert longest < ANSWER_MS or longest / slowness() < ANSWER_MS, "a turn of the window's thread took longer than an answer may"
     finally:
         v.kill()
 
@@ -1265,7 +1309,7 @@ def test_a_scene_that_is_not_there_yet_is_named(screen, program, folder):
 CASES = [test_an_effect_is_switched_without_a_hitch,
          test_keys_count_before_the_first_picture_and_what_moves_is_followed_coarsely,
          test_matter_along_rays_holds_no_input, test_a_flight_about_a_rotating_hole_goes_on_among_point_stars,
-         test_the_clock_runs_and_stops, test_screenshot, test_the_gallery_finds_and_opens,
+         test_the_clock_runs_and_stops, test_dumps_follow_the_clock_without_a_hitch, test_screenshot, test_the_gallery_finds_and_opens,
          test_the_first_visit_has_hints_and_the_next_has_none, test_menus_do_what_they_say,
          test_the_critical_curve_is_synges_circle_and_the_potential_is_drawn, test_a_killed_viewer_leaves_its_scene,
          test_a_planet_is_added_saved_under_a_name_and_escape_closes_one_thing_at_a_time,
