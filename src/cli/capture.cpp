@@ -31,6 +31,7 @@
 #include "observer/path.h"
 #include "plan/shutter.h"
 #include "render/picture_bands.h"
+#include "scene/medium_dumps.h"
 #include "scene/split.h"
 #include "scene/stereo.h"
 #include "scenefile/picture_scene.h"
@@ -79,10 +80,12 @@ struct Job : Shot {
     bool traced_tiles = false;
 };
 
-// Of the frame after this one; nothing after a path's last.
+// Of the frame after this one; nothing after a path's last, or after the last dump of its matter.
 std::optional<Scene> next_scene(const Job& job, double time_step, int frame) {
     if (job.path ? frame + 1 >= job.path->frames() : time_step == 0) return {};
-    return scene_at(job, time_step, frame + 1);
+    Scene next = scene_at(job, time_step, frame + 1);
+    if (has_dumps(next) && dump_time_fault(next.medium->grid, next.time)) return {};
+    return next;
 }
 
 // Says once that bright points leave dots.

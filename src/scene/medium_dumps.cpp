@@ -46,28 +46,6 @@ SceneFault other_nodes(const fs::path& file, const fs::path& first, const char* 
             "the same coordinates, spin and nodes in all dumps"};
 }
 
-std::optional<SceneFault> fault_of_files(const GridMatter& grid, const NumberedFiles& files) {
-    const fs::path first = files.of(grid.first);
-    const std::vector<int> there = files.on_disk();
-    auto at = std::ranges::lower_bound(there, grid.first);
-    for (int number = grid.first; number <= grid.last; ++number, ++at)
-        if (at == there.end() || *at != number)
-            return SceneFault{
-                kFile, fmt::format("there is no file {}", name_of(files.of(number))),
-                fmt::format("all of {} to {}, or other first and last", name_of(first), name_of(files.of(grid.last)))};
-    std::optional<MediumGrid> form;
-    for (int number = grid.first; number <= grid.last; ++number) {
-        const fs::path file = files.of(number);
-        auto head = head_of(file);
-        if (!head) return file_fault(kFile, file, head.error(), "a grid of matter");
-        if (!form)
-            form = std::move(*head);
-        else if (const char* what = head->other_nodes(*form))
-            return other_nodes(file, first, what);
-    }
-    return std::nullopt;
-}
-
 struct Stamp {
     fs::file_time_type time{};
     std::uintmax_t size = 0;
@@ -77,6 +55,45 @@ struct Stamp {
     }
     friend bool operator==(const Stamp&, const Stamp&) = default;
 };
+
+// A series without a fault, and when its folder and its files were changed last.
+struct Judged {
+    GridMatter grid;
+    fs::file_time_type folder{};
+    std::vector<Stamp> files;
+    MediumGrid form;  // of the first
+};
+
+// known: heads of its files that are as they were are not read again.
+std::optional<SceneFault> judge(const GridMatter& grid, const NumberedFiles& files, const Judged& known,
+                                Judged& judged) {
+    const fs::path first = files.of(grid.first);
+    const std::vector<int> there = files.on_disk();
+    auto at = std::ranges::lower_bound(there, grid.first);
+    for (int number = grid.first; number <= grid.last; ++number, ++at)
+        if (at == there.end() || *at != number)
+            return SceneFault{
+                kFile, fmt::format("there is no file {}", name_of(files.of(number))),
+                fmt::format("all of {} to {}, or other first and last", name_of(first), name_of(files.of(grid.last)))};
+    const bool same = known.grid == grid;
+    for (int number = grid.first; number <= grid.last; ++number) {
+        const fs::path file = files.of(number);
+        const std::size_t n = judged.files.size();
+        judged.files.emplace_back(file);
+        if (same && known.files.front() == judged.files.front() && known.files[n] == judged.files[n]) {
+            if (n == 0) judged.form = known.form;
+            continue;
+        }
+        auto head = head_of(file);
+        if (!head) return file_fault(kFile, file, head.error(), "a grid of matter");
+        if (n == 0)
+            judged.form = std::move(*head);
+        else if (const char* what = head->other_nodes(judged.form))
+            return other_nodes(file, first, what);
+    }
+    judged.grid = grid;
+    return std::nullopt;
+}
 
 using Grid = std::shared_ptr<const MediumGrid>;
 std::atomic<long long> read_count = 0;
@@ -95,6 +112,7 @@ public:
 
     Result<Grid> at(const std::vector<fs::path>& files, double part) {
         std::vector<Dump> asked;
+        asked.reserve(files.size());
         for (const fs::path& file : files) asked.push_back({file, Stamp(file), Grid()});
         std::erase_if(dumps_, [&](const Dump& dump) {  // before others are read
             return std::ranges::none_of(asked,
@@ -164,8 +182,7 @@ std::string dump_words(const GridMatter& grid) {
 
 std::optional<SceneFault> dump_fault(const GridMatter& grid) {
     static std::mutex mutex;
-    static GridMatter judged;  // without a fault
-    static fs::file_time_type folder_time;
+    static Judged known;
     const auto files = files_of(grid);
     if (!files)
         return SceneFault{
@@ -181,9 +198,11 @@ std::optional<SceneFault> dump_fault(const GridMatter& grid) {
     const auto folder = grid.file.parent_path();
     const auto time = fs::last_write_time(folder.empty() ? fs::path(".") : folder, none);
     const std::lock_guard lock(mutex);
-    if (judged == grid && folder_time == time) return std::nullopt;
-    auto fault = fault_of_files(grid, *files);
-    if (!fault) judged = grid, folder_time = time;
+    if (known.grid == grid && known.folder == time) return std::nullopt;
+    Judged judged;
+    judged.folder = time;
+    auto fault = judge(grid, *files, known, judged);
+    if (!fault) known = std::move(judged);
     return fault;
 }
 

@@ -28,8 +28,8 @@ struct DumpTimes {
 DumpTimes dump_times(const GridMatter& grid);
 std::string dump_words(const GridMatter& grid);  // "12 dumps, 0 to 11, at times [0, 5.5] r_s/c"
 
-// A file that is missing, a dump of other nodes than the first one, numbers that are none. Of their heads alone, once for as long as the
-// folder does not change.
+// A file that is missing, a dump of other nodes than the first one, a head that is none. Heads are read once for as long as a file does not
+// change, files looked for when the folder does.
 std::optional<SceneFault> dump_fault(const GridMatter& grid);
 std::optional<SceneFault> dump_time_fault(const GridMatter& grid, double time);
 

@@ -125,6 +125,20 @@ class Dumps(support.CliTest):
         self.assertEqual([each.split("  ")[1] for each in self.picture_texts("c.png")["nullscope.files"].splitlines()],
                          [f"flow-0000{dump}.grid" for dump in (4, 5, 6, 7)])
 
+    def test_paths_layers_halves_and_eyes(self):
+        self.write("path.toml", FILM + TIMES + '[path]\nkind = "keys"\n[[path.key]]\n[[path.key]]\nframe = 2\ntime = 12.5\n')
+        self.run_nullscope("capture", "path.toml", "-o", "p%d.exr")
+        self.write("late.toml", (self.folder / "path.toml").read_text().replace("time = 12.5", "time = 13"))
+        self.refused("capture", "late.toml", "-o", "q%d.exr", says=["late.toml: frame 2: time 23 is not between"])
+        # After the last dump there is no next frame to move to.
+        self.run_nullscope("capture", "film.toml", "--layers", "--frames", "4:6", "--time-frame", 0, "--time-step", 2.5, "-o", "l%d.exr")
+        self.run_nullscope("capture", "film.toml", "--time", 22.5, "-o", "last.exr")
+        self.assertEqual(self.pixels("p2.exr"), self.pixels("last.exr"))
+        for more in ('[split]\nmetric = "minkowski"\n', ""):
+            self.write("two.toml", (FILM + TIMES + more).replace("fov = 26", "fov = 26" if more else 'fov = 26\nstereo = "pair"'))
+            self.run_nullscope("capture", "two.toml", "--time", 12, "-o", "two.png")
+            self.refused("capture", "two.toml", "--time", 23, "-o", "three.png", says=["time 23 is not between"])
+
     def test_a_light_curve_goes_to_the_last_dump(self):
         out = self.run_nullscope("lightcurve", "film.toml", "--steps", DUMPS, "-o", "curve").out
         self.assertIn(f"{DUMPS} times from 10 to 22.5 r_s/c", out)
