@@ -8,8 +8,10 @@ from ._scenes import scene as _scene
 
 Size = tuple[int, int] | str | None
 
-RAYDATA = np.dtype([("fate", "f8"), ("sky.x", "f8"), ("sky.y", "f8"), ("sky.z", "f8"), ("g", "f8"), ("delay", "f8"), ("angle", "f8"),
-                    ("order", "f8"), ("hit", "f8"), ("u", "f8"), ("v", "f8"), ("w", "f8")])   # docs/ray-data.md, "Channels of a frame"
+# docs/ray-data.md, "Channels of a frame". A field is found by either name: rays["g"] is rays["ray.shift"].
+RAYDATA = np.dtype([("fate", "f8"), ("sky.x", "f8"), ("sky.y", "f8"), ("sky.z", "f8"), (("ray.shift", "g"), "f8"), ("delay", "f8"),
+                    ("angle", "f8"), ("order", "f8"), ("hit", "f8"), (("ray.hit_u", "u"), "f8"), (("ray.hit_v", "v"), "f8"),
+                    (("ray.hit_w", "w"), "f8")])
 
 
 class Picture(np.ndarray):

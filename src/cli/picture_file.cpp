@@ -82,7 +82,7 @@ Status write_exr(LightFile file) {
     }
     ChannelImage channels{light.width, light.height, {}, {}};
     for (int c = 0; c < 3; ++c) channels.channels[std::string(1, "RGB"[c])] = channel_of(light, c);
-    if (captured.rays) add_ray_channels(*captured.rays, channels);
+    if (captured.rays) add_ray_channels(*captured.rays, RayNames::kAlone, channels);
     if (captured.layers) add_layer_channels(*captured.layers, file.origin.scene, channels);
     channels.attributes = std::move(file.words);
     return save_exr(file.name, channels);

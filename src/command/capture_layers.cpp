@@ -137,18 +137,18 @@ void add_layer_channels(const LayeredPicture& picture, const Scene& scene, Chann
         add_colours(layer.name + ".", layer.light, file);
         file.channels[layer.name + ".A"] = layer.share;
     }
-    add_ray_channels(picture.rays, file);
+    add_ray_channels(picture.rays, RayNames::kBesideLayers, file);
     file.channels["depth.affine"] = picture.depths.depth;
     if (!picture.depths.medium.empty()) file.channels["depth.medium"] = picture.depths.medium;
     file.channels["g_hit"] = picture.depths.g;
     for (const char* of : {"sky", "plate"}) {
         const Image<float> map = st_map_of(picture.rays, scene, of);
-        for (int c = 0; c < 2; ++c) file.channels[std::string("st_") + of + "." + "uv"[c]] = channel_of(map, c);
+        for (int c = 0; c < 3; ++c) file.channels[std::string("st_") + of + "." + "xyz"[c]] = channel_of(map, c);
     }
     if (!picture.motion) return;
     file.channels["forward.u"] = picture.motion->right;
     file.channels["forward.v"] = picture.motion->up;
-    file.channels["forward.known"] = picture.motion->known;
+    file.channels["forward_known"] = picture.motion->known;
 }
 
 }  // namespace nullscope::cli

@@ -25,8 +25,8 @@ struct LayeredPicture {
 // next: the scene of the next frame; null: none. The session's renderer is prepared here. Errors: as of pictures.
 Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, const Scene* next);
 
-// Beside R, G and B of the picture: A of what covers the sky; NAME.R ... NAME.A of every layer; ray data; depth.affine, depth.medium of scenes with matter, and g_hit; st_sky.u, st_sky.v, st_plate.u, st_plate.v;
-// forward.u, forward.v, forward.known.
+// Beside R, G and B of the picture: A of what covers the sky; NAME.R ... NAME.A of every layer; ray data; depth.affine, depth.medium of scenes
+// with matter, and g_hit; x, y, z of st_sky and st_plate; forward.u, forward.v, forward_known.
 void add_layer_channels(const LayeredPicture& picture, const Scene& scene, ChannelImage& file);
 
 // of: "sky" or "plate" (compare/st_map.h).

@@ -1,6 +1,8 @@
 """What must hold of the files of one scene: tests/cli/test_matrix.py."""
 import math
 
+import support
+
 COLOURS = "RGB"
 FLOAT_STEP = 2.0 ** -24
 
@@ -90,13 +92,14 @@ def values_agree(got, exact, names, where, most, what, outliers=0.08):
 
 
 def rays_agree(got, exact, what):
+    got = support.as_ray_data(got)
     wrong = numbers_agree(got, exact, "fate", what) + numbers_agree(got, exact, "hit", what)
     both = lambda name: lambda x, y: got[name][y][x] == exact[name][y][x]
     free = lambda x, y: got["fate"][y][x] in (0, 2) and exact["fate"][y][x] == got["fate"][y][x]
     met = lambda x, y: got["hit"][y][x] == exact["hit"][y][x] != 0
     wrong += values_agree(got, exact, ["sky.x", "sky.y", "sky.z"], free, 2e-3, what)
-    wrong += values_agree(got, exact, ["u", "v", "w"], met, 0.02, what)
-    wrong += values_agree(got, exact, ["g"], lambda x, y: free(x, y) and got["hit"][y][x] == 0, 2e-3, what)
+    wrong += values_agree(got, exact, support.PLACE, met, 0.02, what)
+    wrong += values_agree(got, exact, ["ray.shift"], lambda x, y: free(x, y) and got["hit"][y][x] == 0, 2e-3, what)
     longest = max(abs(v) for row in exact["delay"] for v in row)
     if any(v for row in got["delay"] for v in row):
         bound = max(0.05, 8 * FLOAT_STEP * longest)   # single precision, of parts that nearly cancel

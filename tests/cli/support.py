@@ -89,6 +89,17 @@ def read_exr(data):
     return channels
 
 
+# Ray data in a file of --layers, by their names in one of --raydata.
+BESIDE_LAYERS = {**{f"sky.{c}": f"direction.{c}" for c in "xyz"}, **{f"ray.hit_{c}": f"place.{axis}" for c, axis in zip("uvw", "xyz")}}
+PLACE = ("ray.hit_u", "ray.hit_v", "ray.hit_w")
+
+
+def as_ray_data(channels):
+    """The channels of a file of --layers, ray data by their names in one of --raydata."""
+    names = {other: name for name, other in BESIDE_LAYERS.items()}
+    return {names.get(name, name): rows for name, rows in channels.items()}
+
+
 class CliTest(unittest.TestCase):
     def setUp(self):
         self._folder = tempfile.TemporaryDirectory(prefix="nullscope-cli-")

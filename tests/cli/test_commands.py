@@ -325,7 +325,7 @@ class Commands(support.CliTest):
     def test_exr_with_ray_data(self):
         self.run_nullscope("capture", "first-light", "--size", support.SMALL, "--raydata", "-o", "rays.exr")
         channels, size, pixels = read_exr((self.folder / "rays.exr").read_bytes())
-        wanted = "R G B fate sky.x sky.y sky.z g delay angle order hit u v w".split()
+        wanted = "R G B fate sky.x sky.y sky.z ray.shift delay angle order hit ray.hit_u ray.hit_v ray.hit_w".split()
         self.assertEqual(set(channels), set(wanted))
         self.assertEqual(set(channels.values()), {2}, "32-bit float")
         self.assertEqual(size, (48, 27))

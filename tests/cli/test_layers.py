@@ -20,11 +20,36 @@ class Layers(support.CliTest):
         for y, row in enumerate(got["A"]):
             for x, value in enumerate(row):
                 self.assertAlmostEqual(1 - value, got["sky.A"][y][x], delta=1e-6)
-        self.assertEqual(max(map(max, got["forward.known"])) if "forward.known" in got else 0, 0)
+        self.assertEqual(max(map(max, got["forward_known"])) if "forward_known" in got else 0, 0)
         depth, hit = got["depth.affine"], got["hit"]
         for y, row in enumerate(hit):
             for x, number in enumerate(row):
                 self.assertTrue(5 < depth[y][x] < 40 if number else depth[y][x] == 0, (x, y, depth[y][x]))
+
+    def test_other_programs_can_tell_the_channels_apart(self):
+        """What OpenImageIO and Blender make of names: the last part is R, G, B or A in either case, X to Z, or a whole word; four to a layer."""
+        self.write("moves.toml", '[disc]\n[camera]\nr = 20\n[path]\nkind = "keys"\n[[path.key]]\nyaw = 0\n[[path.key]]\nyaw = 1\n')
+        self.run_nullscope("capture", "moves.toml", "--size", "16x9", "--layers", "--frames", "0:1", "-o", "l%d.exr")
+        self.run_nullscope("capture", "moves.toml", "--size", "16x9", "--raydata", "-o", "r.exr")
+        self.assertIn("0 of 144 pixels", self.run_nullscope("compare", "l0.exr", "r.exr").out)
+        got = {name: support.read_exr((self.folder / name).read_bytes()) for name in ("l0.exr", "r.exr")}
+        for file, channels in got.items():
+            layers = {}
+            for name in channels:
+                layer, _, component = name.rpartition(".")
+                layers.setdefault(layer, []).append(component)
+            self.assertEqual({name for name in layers.pop("") if len(name) == 1}, set("RGBA") & set(channels), file)
+            for layer, components in layers.items():
+                self.assertLessEqual(len(components), 4, f"{file} {layer}")
+                self.assertEqual(len({c.lower() for c in components}), len(components), f"{file} {layer}")
+                if file == "l0.exr" and len(components) > 2:
+                    self.assertIn(sorted(components), (["A", "B", "G", "R"], ["x", "y", "z"]), layer)
+        self.assertEqual(len(got["l0.exr"]), 43)
+        for name, rows in got["r.exr"].items():
+            self.assertEqual(got["l0.exr"][support.BESIDE_LAYERS.get(name, name)], rows, name)
+        for y, row in enumerate(got["l0.exr"]["fate"]):   # Map UV shows what has 1 in the third channel
+            for x, fate in enumerate(row):
+                self.assertEqual(got["l0.exr"]["st_sky.z"][y][x], fate == 0)
 
     def test_light_and_shares_keep_their_bounds(self):
         """A disc's cover that is 1 to rounding left -1e-7 of the stars behind it."""
@@ -82,12 +107,12 @@ refine = "off"
         for number, words in enumerate((("--raydata",), ("--layers",), ("--layers", "--time-step", "0.5", "--frames", "0:1"))):
             name = f"m{number}_%d.exr" if "--frames" in words else f"m{number}.exr"
             self.run_nullscope("capture", "moves.toml", "--size", "160x90", *words, "-o", name)
-            got = support.read_exr((self.folder / name.replace("%d", "0")).read_bytes())
+            got = support.as_ray_data(support.read_exr((self.folder / name.replace("%d", "0")).read_bytes()))
             for channels, same in (("RGB", picture), (("hit", "fate"), rests)):
                 for channel in channels:
                     self.assertTrue(got[channel] == same[channel], f"{words}: {channel}")
             self.assertGreater(sum(map(lambda row: sum(h == 4 for h in row), got["hit"])), 100)
-            for channel in "uvw":
+            for channel in support.PLACE:
                 for a, b in zip(got[channel], rests[channel]):
                     for one, other in zip(a, b):
                         self.assertAlmostEqual(one, other, delta=1e-4)
@@ -98,14 +123,14 @@ refine = "off"
         known = 0
         for y, row in enumerate(got["hit"]):
             for x, number in enumerate(row):
-                if number != 4 or not got["forward.known"][y][x]:
+                if number != 4 or not got["forward_known"][y][x]:
                     continue
                 known += 1
                 to_x, to_y = x + got["forward.u"][y][x], y - got["forward.v"][y][x]
                 self.assertEqual(later["hit"][round(to_y)][round(to_x)], 4)
                 # About one pixel is 0.3 r_s: places there, as seen from the ball's middle, are those here.
                 off = [later[c][round(to_y)][round(to_x)] - got[c][y][x] - step
-                       for c, step in zip("uvw", (8 * math.cos(angle) - 8, 8 * math.sin(angle), 0))]
+                       for c, step in zip(support.PLACE, (8 * math.cos(angle) - 8, 8 * math.sin(angle), 0))]
                 self.assertLess(math.hypot(*off), 0.5)
         self.assertGreater(known, 30)
 
@@ -115,7 +140,7 @@ refine = "off"
                    "[[path.key]]\nyaw = 0\n[[path.key]]\nframe = 10\nyaw = 10\n")
         self.run_nullscope("capture", "turn.toml", "--size", "64x36", "--layers", "--frames", "0:1", "-o", "m%d.exr")
         got = support.read_exr((self.folder / "m0.exr").read_bytes())
-        self.assertEqual(got["forward.known"][18][32], 1)
+        self.assertEqual(got["forward_known"][18][32], 1)
         self.assertAlmostEqual(got["forward.u"][18][32], -32 * 3 ** 0.5 * 3.14159265 / 180, delta=0.01)
         self.assertAlmostEqual(got["forward.v"][18][32], 0, delta=0.01)
 
@@ -129,14 +154,14 @@ refine = "off"
             self.run_nullscope("capture", f"{name}.toml", "--size", "128x72", "--layers", "--time-step", "0.5", "--frames", "0:1", "-o", f"{name}%d.exr")
         got = support.read_exr((self.folder / "surface0.exr").read_bytes())
         self.assertGreater(sum(h >= 4 for row in got["hit"] for h in row), 500)
-        self.assertEqual(sum(known for row, hits in zip(got["forward.known"], got["hit"]) for known, h in zip(row, hits) if h >= 4), 0)
+        self.assertEqual(sum(known for row, hits in zip(got["forward_known"], got["hit"]) for known, h in zip(row, hits) if h >= 4), 0)
         got = support.read_exr((self.folder / "pulse0.exr").read_bytes())
         grows, scale, errors = 1 + 0.3 * math.sin(2 * math.pi * 0.5 / 20), 64 * 3 ** 0.5, []
-        for y, row in enumerate(got["forward.known"]):
+        for y, row in enumerate(got["forward_known"]):
             for x, known in enumerate(row):
                 if not known or not got["hit"][y][x]:
                     continue
-                place = [got[c][y][x] for c in "uvw"]
+                place = [got[f"place.{c}"][y][x] for c in "xyz"]
                 self.assertAlmostEqual(math.hypot(*place), 4, delta=1e-4)
                 across = [scale * grows * place[i] / (20 - grows * place[0]) for i in (1, 2)]     # seen from (20, 0, 0): y to the right, z up
                 errors.append(max(abs(64 - 0.5 + across[0] - x - got["forward.u"][y][x]), abs(36 - 0.5 - across[1] - y + got["forward.v"][y][x])))

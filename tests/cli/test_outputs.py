@@ -36,7 +36,7 @@ outer = 8
 """
 OPTIONS = (("--raydata",), ("--layers",), ("--st-map", "sky"), ("--st-map", "plate"), ("--half",), ("--plain",), ("--samples", "2"),
            ("--renderer", "reference"))
-RAY_DATA = {"fate", "sky.x", "sky.y", "sky.z", "g", "delay", "angle", "order", "hit", "u", "v", "w"}
+RAY_DATA = {"fate", "sky.x", "sky.y", "sky.z", "ray.shift", "delay", "angle", "order", "hit", *support.PLACE}
 LAYERS = ("disc0", "disc1", "disc2", "bodies", "medium", "sky")
 
 
@@ -61,7 +61,7 @@ class Outputs(support.CliTest):
         got = self.capture(options, f"{number}.exr")
         wanted = set("RGB")
         if given & {"--raydata", "--layers"}:
-            wanted |= RAY_DATA
+            wanted |= {support.BESIDE_LAYERS.get(name, name) for name in RAY_DATA} if "--layers" in given else RAY_DATA
         for channel in "RGB" if "--st-map" not in given else "":
             self.assertEqual(got[channel], plain[channel], f"{options} change {channel}")
         self.assertTrue(set(got) >= wanted, f"{options}: {sorted(got)}")

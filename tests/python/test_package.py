@@ -75,8 +75,11 @@ class Pictures(Test):
             rays = ns.raydata("kerr", (48, 27), renderer=renderer)
             channels = self.exr("kerr", "--size", "48x27", "--raydata", "--renderer", renderer,
                                 *(["--samples", "1"] if renderer == "reference" else []))
-            for name in ns.RAYDATA.names:
+            self.assertEqual(set(channels) - set("RGB"), set(ns.RAYDATA.fields) - set("guvw"))
+            for name in set(channels) - set("RGB"):
                 self.assertTrue(np.array_equal(rays[name].astype(np.float32), channels[name]), f"{renderer} {name}")
+            for name, channel in zip("guvw", ("ray.shift", "ray.hit_u", "ray.hit_v", "ray.hit_w")):
+                self.assertTrue(np.array_equal(rays[name], rays[channel]), name)
 
     def test_a_png_holds_what_it_was_drawn_from(self):
         file = self.folder / "drawn.png"

@@ -304,18 +304,30 @@ TEST_CASE("compare: the angle of a pixel is the root of its solid angle") {
     CHECK(sum == doctest::Approx(4 * M_PI / 6).epsilon(1e-3));  // a face of the cube
 }
 
-TEST_CASE("compare: every channel of the ray data holds what its name says, and is read back") {
+TEST_CASE("compare: every channel of the ray data holds what its name says, and is read back, by older names too") {
     RayPixel pixel;
     pixel.fate = Fate::kHit;
     pixel.sky = {0.125, 0.25, 0.5};
     pixel.g = 2, pixel.delay = 3, pixel.angle = 5, pixel.order = 1, pixel.hit = 7, pixel.u = 8, pixel.v = 9,
     pixel.w = 10;
-    const std::map<std::string, float> expected = {{"fate", 4.0f}, {"sky.x", 0.125f}, {"sky.y", 0.25f}, {"sky.z", 0.5f},
-                                                   {"g", 2.0f},    {"delay", 3.0f},   {"angle", 5.0f},  {"order", 1.0f},
-                                                   {"hit", 7.0f},  {"u", 8.0f},       {"v", 9.0f},      {"w", 10.0f}};
+    using Values = std::map<std::string, float>;
+    const Values same = {{"fate", 4.0f}, {"delay", 3.0f}, {"angle", 5.0f}, {"order", 1.0f}, {"hit", 7.0f}};
+    Values alone = {{"sky.x", 0.125f},   {"sky.y", 0.25f},    {"sky.z", 0.5f},     {"ray.shift", 2.0f},
+                    {"ray.hit_u", 8.0f}, {"ray.hit_v", 9.0f}, {"ray.hit_w", 10.0f}},
+           beside = {{"direction.x", 0.125f}, {"direction.y", 0.25f}, {"direction.z", 0.5f}, {"ray.shift", 2.0f},
+                     {"place.x", 8.0f},       {"place.y", 9.0f},      {"place.z", 10.0f}},
+           old = {{"sky.x", 0.125f}, {"sky.y", 0.25f}, {"sky.z", 0.5f}, {"g", 2.0f},
+                  {"u", 8.0f},       {"v", 9.0f},      {"w", 10.0f}};
+    for (Values* names : {&alone, &beside, &old}) names->insert(same.begin(), same.end());
     ChannelImage image;
     image.width = image.height = 1;
-    add_ray_channels({1, 1, {pixel}}, image);
+    Values expected;
+    SUBCASE("alone") { add_ray_channels({1, 1, {pixel}}, RayNames::kAlone, image), expected = alone; }
+    SUBCASE("beside layers") { add_ray_channels({1, 1, {pixel}}, RayNames::kBesideLayers, image), expected = beside; }
+    SUBCASE("old") {
+        for (const auto& [name, value] : old) image.channels[name] = {value};
+        expected = old;
+    }
     CHECK(image.channels.size() == expected.size());
     for (const auto& [key, value] : expected) {
         const std::string name = key;  // clang 14 captures no structured binding
@@ -336,6 +348,10 @@ TEST_CASE("compare: every channel of the ray data holds what its name says, and 
     CHECK(back.hit == 7);
     CHECK(back.u == 8);
     CHECK(back.v == 9);
+    image.channels.erase(expected.contains("g") ? "g" : "ray.shift");
+    const auto cut = ray_frame_from(image);
+    REQUIRE_FALSE(cut);
+    CHECK(cut.error().what == "no ray data: channel \"ray.shift\" is missing");
 }
 
 TEST_CASE("compare: pictures") {
