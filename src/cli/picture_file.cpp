@@ -21,12 +21,13 @@ namespace nullscope::cli {
 namespace {
 
 // By which driver, whatever context it is in: EGL and OSMesa have the same one.
-Result<std::map<std::string, std::string>> words_of(PictureOrigin origin, std::string_view made_by) {
+Result<std::map<std::string, std::string>> words_of(PictureOrigin origin, std::string_view made_by,
+                                                    bool displayed = false) {
     for (const std::string_view context : {"egl, ", "osmesa, "})
         if (made_by.starts_with(context)) made_by.remove_prefix(context.size());
     origin.renderer = made_by;
     origin.version = kVersionText;
-    return picture_words(origin);
+    return displayed ? displayed_picture_words(origin) : picture_words(origin);
 }
 
 void say_halves(const std::string& file, std::size_t beyond, const Listener& listener) {
@@ -125,8 +126,8 @@ Result<std::string> capture_large_exr(Session& session, const PictureOrigin& ori
 
 Status write_picture(const std::string& file_name, const PictureOrigin& origin, const Captured& captured,
                      const CaptureOptions& options) {
-    TRY(words, words_of(origin, captured.made_by));
     const PictureFormat* format = format_named(file_name);
+    TRY(words, words_of(origin, captured.made_by, format->save != nullptr));
     if (format->save != nullptr)
         return format->save(file_name, {captured.bytes, captured.words, origin.scene.name,
                                         fmt::format("nullscope {}", kVersion), options.quality, *words});

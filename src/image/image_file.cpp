@@ -47,19 +47,20 @@ Status save_png(const std::filesystem::path& path, const Image<unsigned char>& i
 
 Status save_jpeg(const std::filesystem::path& path, const Image<unsigned char>& image, const std::string& comment,
                  int quality, const std::map<std::string, std::string>& texts) {
-    constexpr int kMostSide = 65500;             // libjpeg's
-    constexpr std::size_t kMostComment = 65533;  // bytes of a marker
-    constexpr std::size_t kMostKeyword = 100;    // bytes that a keyword and the line's end leave free
+    constexpr int kMostSide = 65500;           // libjpeg's
+    constexpr std::size_t kMostKeyword = 100;  // bytes that a keyword and the line's end leave free
     const auto samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3;
     if (image.width <= 0 || image.height <= 0 || image.width > kMostSide || image.height > kMostSide ||
-        image.channels != 3 || image.data.size() != samples || comment.size() > kMostComment)
+        image.channels != 3 || image.data.size() != samples || comment.size() > kMostMarkerBytes)
         return failed(fmt::format("cannot write '{}': {} x {} pixels of {} channels are no JPEG image", path.string(),
                                   image.width, image.height, image.channels));
+    Texts others = texts;
+    const auto xmp = others.extract(kXmpWord);
     std::vector<std::string> comments;
-    for (const auto& [keyword, text] : in_pieces(texts, kMostComment - kMostKeyword))
+    for (const auto& [keyword, text] : in_pieces(others, kMostMarkerBytes - kMostKeyword))
         comments.push_back(fmt::format("{}\n{}", keyword, text));
     if (!comment.empty()) comments.push_back(comment);  // last: the one that most readers show
-    const Result<std::string> bytes = encode_jpeg(image, comments, quality);
+    const Result<std::string> bytes = encode_jpeg(image, comments, quality, xmp.empty() ? "" : xmp.mapped());
     if (!bytes) return failed(fmt::format("cannot write '{}': {}", path.string(), bytes.error().message()));
     return write_text_atomically(path, *bytes);
 }

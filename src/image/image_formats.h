@@ -57,9 +57,14 @@ Result<std::unique_ptr<RowReader>> open_jpeg_rows(ByteSource source);
 // bytes. Errors: as libpng says, no memory. texts: by keyword, UTF-8 (iTXt chunks before the pixels).
 Result<std::string> encode_png(const Image<unsigned char>& image, const std::map<std::string, std::string>& texts = {});
 
-// 3 channels of 8 bits, 1 to 65500 px a side. comments: of at most 65533 bytes each. Errors: as libjpeg says.
+inline constexpr std::size_t kMostMarkerBytes = 65533;  // of JPEG
+inline constexpr std::string_view kXmpMark("http://ns.adobe.com/xap/1.0/\0",
+                                           29);  // with which JPEG's marker of XMP begins
+
+// 3 channels of 8 bits, 1 to 65500 px a side. comments: of at most kMostMarkerBytes each. xmp: a packet; empty: none. Errors: as libjpeg
+// says, a packet longer than a marker.
 Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::vector<std::string>& comments,
-                                int quality);
+                                int quality, const std::string& xmp = {});
 
 // Radiance RGBE (.hdr).
 bool is_hdr(std::string_view bytes);

@@ -36,7 +36,8 @@ public:
     JpegEncoder(const JpegEncoder&) = delete;
     JpegEncoder& operator=(const JpegEncoder&) = delete;
 
-    bool encode(const Image<unsigned char>& image, const std::vector<std::string>& comments, int quality) {
+    bool encode(const Image<unsigned char>& image, const std::vector<std::string>& comments, int quality,
+                const std::string& xmp) {
         if (setjmp(jump_) != 0) return false;  // NOLINT
         jpeg_create_compress(&jpeg_);
         jpeg_.client_data = this;
@@ -50,6 +51,9 @@ public:
         jpeg_.comp_info[0].h_samp_factor = jpeg_.comp_info[0].v_samp_factor = 1;  // colours at full resolution
         jpeg_.optimize_coding = TRUE;
         jpeg_start_compress(&jpeg_, TRUE);
+        if (!xmp.empty())
+            jpeg_write_marker(&jpeg_, JPEG_APP0 + 1, reinterpret_cast<const JOCTET*>(xmp.data()),
+                              static_cast<unsigned>(xmp.size()));
         for (const std::string& comment : comments)
             jpeg_write_marker(&jpeg_, JPEG_COM, reinterpret_cast<const JOCTET*>(comment.data()),
                               static_cast<unsigned>(comment.size()));
@@ -107,9 +111,11 @@ Result<Texts> jpeg_texts_of(std::istream& file) {
 }  // namespace
 
 Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::vector<std::string>& comments,
-                                int quality) {
+                                int quality, const std::string& xmp) {
     JpegEncoder encoder;
-    if (!encoder.encode(image, comments, quality)) return failed(encoder.error());
+    const std::string marked = xmp.empty() ? "" : std::string(kXmpMark) + xmp;
+    if (marked.size() > kMostMarkerBytes) return failed("its XMP is too long");
+    if (!encoder.encode(image, comments, quality, marked)) return failed(encoder.error());
     return encoder.bytes();
 }
 

@@ -132,13 +132,12 @@ private:
     }
     void read_markers() {
         constexpr std::string_view kExif("Exif\0\0", 6), kProfile("ICC_PROFILE\0", 12);
-        constexpr std::string_view kXmp("http://ns.adobe.com/xap/1.0/\0", 29);
         std::string profile;  // in pieces of 64 KB
         for (const jpeg_marker_struct* marker = jpeg_.marker_list; marker != nullptr; marker = marker->next) {
             const std::string_view data(reinterpret_cast<const char*>(marker->data), marker->data_length);
             if (data.starts_with(kExif)) orientation = exif_orientation(data.substr(kExif.size()));
             if (data.starts_with(kProfile)) profile += data.substr(kProfile.size());
-            if (const std::string part = data.starts_with(kXmp) ? part_words(data) : ""; !part.empty())
+            if (const std::string part = data.starts_with(kXmpMark) ? part_words(data) : ""; !part.empty())
                 unused.push_back(part);
         }
         if (!profile.empty() && !is_srgb_profile(profile)) unused.emplace_back("colour profile (ICC): read as sRGB");

@@ -14,8 +14,9 @@ namespace nullscope {
 
 using Texts = std::map<std::string, std::string>;
 
-inline constexpr std::string_view kOwnTexts = "nullscope.";  // how the keywords begin of what this program writes
-inline constexpr std::size_t kMostTextBytes = 16u << 20;     // of all texts of a file
+inline constexpr std::string_view kOwnTexts = "nullscope.";   // how the keywords begin of what this program writes
+inline constexpr const char* kXmpWord = "XML:com.adobe.xmp";  // an XMP packet, which PNG has by this keyword
+inline constexpr std::size_t kMostTextBytes = 16u << 20;      // of all texts of a file
 
 bool is_picture_file(  // by its first bytes, of one of the formats of picture_formats.h
     const std::filesystem::path& path);

@@ -154,12 +154,15 @@ void describe(TIFF* tiff, const DisplayedPicture& picture) {
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
     TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
     TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, static_cast<std::uint32_t>(std::max(kStrip / row, std::size_t{1})));
-    const std::string profile = SrgbProfile().bytes(),
-                      texts = fmt::format("{}", fmt::join(history_cards(picture.texts), "\n"));
+    Texts said = picture.texts;
+    const auto xmp = said.extract(kXmpWord);
+    const std::string profile = SrgbProfile().bytes(), texts = fmt::format("{}", fmt::join(history_cards(said), "\n"));
     TIFFSetField(tiff, TIFFTAG_ICCPROFILE, static_cast<std::uint32_t>(profile.size()), profile.data());
     TIFFSetField(tiff, TIFFTAG_SOFTWARE, picture.software.c_str());
     if (!picture.title.empty()) TIFFSetField(tiff, TIFFTAG_DOCUMENTNAME, picture.title.c_str());
     if (!texts.empty()) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, texts.c_str());
+    if (!xmp.empty())
+        TIFFSetField(tiff, TIFFTAG_XMLPACKET, static_cast<std::uint32_t>(xmp.mapped().size()), xmp.mapped().data());
 }
 
 Status save_tiff(const std::filesystem::path& path, const DisplayedPicture& picture) {

@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "image/picture_texts.h"
 #include "scene/medium_dumps.h"
+#include "scenefile/photo_sphere.h"
 #include "scenefile/scene_writer.h"
 
 namespace nullscope {
@@ -113,6 +114,14 @@ Result<std::map<std::string, std::string>> picture_words(const PictureOrigin& or
     words["nullscope.renderer"] = origin.renderer;
     std::erase_if(words, [](const auto& word) { return word.second.empty(); });
     return words;
+}
+
+Result<std::map<std::string, std::string>> displayed_picture_words(const PictureOrigin& origin) {
+    TRY(words, picture_words(origin));
+    const bool one = !origin.split && !origin.scene.split;
+    if (std::string packet = photo_sphere_packet(origin.scene.camera); one && !packet.empty())
+        (*words)[kXmpWord] = std::move(packet);
+    return std::move(*words);
 }
 
 SceneFolders picture_folders(const fs::path& file) { return {file.parent_path(), {}, assets_directory() / "scenes"}; }

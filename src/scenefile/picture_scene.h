@@ -28,6 +28,9 @@ struct PictureOrigin {
 // and no path but those that the scene names, as it names them. Reads the scene's files (base/sha256.h). Errors: a file cannot be read.
 Result<std::map<std::string, std::string>> picture_words(const PictureOrigin& origin);
 
+// The same of a displayed picture, with the XMP of a panorama (scenefile/photo_sphere.h).
+Result<std::map<std::string, std::string>> displayed_picture_words(const PictureOrigin& origin);
+
 // The scene of a picture's words under that keyword. file: the picture. Files are looked for beside the picture, in the current folder, and beside the scenes
 // that ship; one whose hash is not the one in the words is said to note. Errors (bad input): the picture holds no scene, those of parse_scene.
 Result<Scene> scene_of_words(const std::map<std::string, std::string>& words, const std::string& keyword,

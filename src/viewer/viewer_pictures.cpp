@@ -196,7 +196,7 @@ void Viewer::save_picture() {
     mark_saved_picture(shown_.scene(), picture);
     PictureOrigin origin{shown_.scene(), scene_folders(shown_.view.source)};
     origin.renderer = info_.renderer, origin.version = kVersionText;
-    auto words = picture_words(origin);
+    auto words = displayed_picture_words(origin);
     if (!words) return say(words.error().message());
     words->insert({{"Title", origin.scene.name}, {"Software", fmt::format("nullscope {}", kVersion)}});
     const Status saved = save_png(path, picture, *words);

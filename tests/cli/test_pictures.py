@@ -5,6 +5,7 @@ import re
 import struct
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 import support
 from image_bytes import jpeg_segments, png_chunks
@@ -132,6 +133,48 @@ class Pictures(support.CliTest):
         self.refused("capture", "flat", "--quality", "101", "-o", "c.jpg", says=["--quality", "100"])
         self.refused("capture", "flat", "--raydata", "-o", "b.jpg", says=["--raydata", ".exr"])
         self.refused("capture", "flat", "--size", "64x36", "-o", "missing/b.jpg", status=1, says=["missing/b.jpg"])
+
+    def sphere(self, name):
+        """What the file says in Google's namespace of XMP; None: nothing."""
+        data = (self.folder / name).read_bytes()
+        if name.endswith(".png"):
+            mark = b"XML:com.adobe.xmp\0\0\0\0\0"
+            found = [body[len(mark):] for kind, body in png_chunks(data) if kind == b"iTXt" and body.startswith(mark)]
+        else:
+            mark = b"http://ns.adobe.com/xap/1.0/\0"
+            found = [body[len(mark):] for kind, body in jpeg_segments(data) if kind == 0xe1 and body.startswith(mark)]
+        self.assertLessEqual(len(found), 1)
+        if not found:
+            return None
+        space = "{http://ns.google.com/photos/1.0/panorama/}"
+        return {key[len(space):]: value for node in ElementTree.fromstring(found[0]).iter() for key, value in node.attrib.items() if key.startswith(space)}
+
+    def test_panoramas_say_which_part_of_the_sphere_they_are(self):
+        names = ("FullPanoWidthPixels", "FullPanoHeightPixels", "CroppedAreaImageWidthPixels", "CroppedAreaImageHeightPixels",
+                 "CroppedAreaLeftPixels", "CroppedAreaTopPixels")
+        view = '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "checker"\n[camera]\nprojection = "equirectangular"\n'
+        for number, (keys, size, numbers) in enumerate((
+                ("", "64x32", (64, 32, 64, 32, 0, 0)),
+                ("", "64x20", (64, 32, 64, 20, 0, 6)),
+                ("fov = 90\n", "64x32", (256, 128, 64, 32, 96, 48)),
+                ("fov = 90\nshift_y = 0.5\n", "64x32", (256, 128, 64, 32, 96, 32)),   # the horizon is its lower side
+                ("fov = 90\nshift_x = 1\n", "64x32", (256, 128, 64, 32, 160, 48)),
+                ("shift_x = 0.25\n", "64x32", (64, 32, 64, 32, 0, 0)),
+                ("fov = 90\npixel_aspect = 2\n", "64x32", (256, 256, 64, 32, 96, 112)),
+                ("fov = 100\n", "63x27", (227, 113, 63, 27, 82, 43)),
+                ("", "64x36", None),                                                   # more than 180 degrees high
+                ("shift_y = 0.1\n", "64x32", None),
+                ('stereo = "pair"\n', "64x32", None))):
+            scene = self.write(f"{number}.toml", view + keys)
+            for kind in ("png", "jpg"):
+                self.run_nullscope("capture", scene, "--size", size, "-o", f"{number}.{kind}")
+                got = self.sphere(f"{number}.{kind}")
+                want = numbers and {**dict(zip(names, map(str, numbers))), "ProjectionType": "equirectangular", "UsePanoramaViewer": "True"}
+                self.assertEqual(got, want, f"{keys} {size} {kind}")
+        self.run_nullscope("capture", self.write("flat.toml", view.replace("equirectangular", "pinhole")), "--size", "64x32", "-o", "flat.png")
+        self.assertIsNone(self.sphere("flat.png"))
+        self.run_nullscope("capture", "0.png", "-o", "again.png")
+        self.assertEqual((self.folder / "again.png").read_bytes(), (self.folder / "0.png").read_bytes())
 
     def test_half_floats_end_somewhere(self):
         """And a line says how many numbers are cut, unless it is quiet."""
