@@ -180,6 +180,18 @@ Asked asked_of(const nb::dict& options) {
     return asked;
 }
 
+// Of a simulation's dumps: whose files a picture names.
+Result<std::vector<double>> times_shown(const Scene& scene, const Asked& asked) {
+    cli::Shot shot{scene};
+    if (asked.time) shot.scene.time = *asked.time;
+    if (shot.scene.path) {
+        TRY(path, CameraPath::make(shot.scene));
+        shot.path = std::move(*path);
+    }
+    const int frame = asked.frame.value_or(0);
+    return cli::times_in(shot, 0.0, {frame, frame + 1});
+}
+
 }  // namespace
 
 void forget_session() { kept().reset(); }
@@ -208,16 +220,17 @@ void add_picture(nb::module_& m) {
         "8 bits a colour, shape (height, width, 3): bloom, exposure, tone curve, sRGB.");
     m.def(
         "png",
-        [](const Scene& scene, const Linear& light, const std::string& options) {
+        [](const Scene& scene, const Linear& light, const std::string& options, const nb::dict& asked) {
             PictureOrigin origin{scene, {".", assets_directory() / "scenes"}};
             origin.options = options, origin.version = NULLSCOPE_VERSION;
+            origin.times = value_of(times_shown(scene, asked_of(asked)));
             auto words = value_of(picture_words(origin));
             words.insert({{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});
             const std::string bytes = value_of(encode_png(displayed(scene, light), words));
             return nb::bytes(bytes.data(), bytes.size());
         },
-        nb::arg("scene"), nb::arg("light"), nb::arg("options") = "",
-        "The same as the bytes of a PNG file. options: of the command line, with which it was drawn.");
+        nb::arg("scene"), nb::arg("light"), nb::arg("options") = "", nb::arg("asked") = nb::dict(),
+        "The same as the bytes of a PNG file. options: of the command line, with which it was drawn; asked: of capture().");
     m.def("forget_session", forget_session,
           "Closes the OpenGL context that pictures of this thread keep, and frees what is in it.");
 }

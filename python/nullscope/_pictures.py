@@ -21,10 +21,12 @@ class Picture(np.ndarray):
     """
     scene = None   # that it is of: its exposure, bloom and tone curve
     options = ""   # of the command line, with which capture() drew it
+    asked = {}     # the same as capture() has them
 
     def __array_finalize__(self, source):
         self.scene = getattr(source, "scene", None)
         self.options = getattr(source, "options", "")
+        self.asked = getattr(source, "asked", {})
 
     def display(self) -> np.ndarray:
         """Display-encoded (bloom, exposure, tone curve, sRGB): uint8, shape (height, width, 3)."""
@@ -32,7 +34,7 @@ class Picture(np.ndarray):
 
     def png(self) -> bytes:
         """The bytes of a PNG file of display(), which holds the scene and the options of capture(): scene() opens it again."""
-        return _core.png(*self._shown(), self.options)
+        return _core.png(*self._shown(), self.options, self.asked)
 
     def _shown(self):
         if self.scene is None or self.ndim != 3 or self.shape[2] != 3 or not self.size:
@@ -75,7 +77,7 @@ def capture(scene: SceneLike, size: Size = None, *, renderer: str = "gl", method
     given = _scene(scene)
     options = _options(size, renderer=renderer, method=method, max_error=max_error, samples=samples, time=time, frame=frame, context=context)
     picture = _core.capture(given, options, progress).view(Picture)
-    picture.scene, picture.options = given, _words(options)
+    picture.scene, picture.options, picture.asked = given, _words(options), options
     return picture
 
 

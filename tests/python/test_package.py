@@ -2,6 +2,7 @@
 import csv
 import os
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
@@ -92,6 +93,20 @@ class Pictures(Test):
         file.write_bytes(b"\x89PNG\r\n\x1a\n")
         with self.assertRaisesRegex(ns.Error, "drawn.png.*cut off"):
             ns.scene(file)
+
+    def test_dumps_at_a_time(self):
+        for dump in range(3):
+            node = struct.pack("<8f", 4.0 ** dump, 1e4, 0, 0, 0, 0, 0, 0)
+            (self.folder / f"flow-{dump}.grid").write_bytes(
+                b"nullscope-medium 1\ncoordinates kerr-schild\nspin 0\nr 1.1 10 3\ntheta 0.1 3 2\nphi 0 1\ndata\n" + 6 * node)
+        file = self.folder / "film.toml"
+        file.write_text('[object]\nmass_suns = 4e6\n[medium]\nkind = "grid"\nfile = "flow-%d.grid"\ncadence = 2\nouter = 9\nemissivity = 3e-21\n')
+        pictures = [self.check(str(file), "--time", str(time), time=time) for time in (0.0, 3.0, 4.0)]
+        self.assertFalse(np.array_equal(pictures[0], pictures[2]))
+        for picture, there in zip(pictures, ([0], [1, 2], [2])):
+            self.assertEqual([dump for dump in range(3) if f"flow-{dump}.grid".encode() in picture.png()], there)
+        with self.assertRaisesRegex(ns.Error, r"time: 4.1 is not between the dumps of medium.file; allowed: \[0, 4\] r_s/c"):
+            ns.capture(str(file), (48, 27), time=4.1)
 
     def test_shown_as_png(self):
         picture = ns.capture("accretion", (64, 36))
