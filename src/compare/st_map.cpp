@@ -16,8 +16,7 @@ StPlace panorama_place(Vec3 direction) {
 }
 
 std::optional<StPlace> plate_place(const CameraSpec& camera, Vec3 direction) {
-    const Mat3 world_from_camera = world_from_static(camera.theta, camera.phi) * static_from_camera(camera);
-    const auto pixel = pixel_of(camera, transposed(world_from_camera) * direction);
+    const auto pixel = pixel_of(camera, transposed(world_from_camera(camera)) * direction);
     if (!pixel) return {};
     const StPlace place{(*pixel)[0] / camera.width, 1.0 - (*pixel)[1] / camera.height};
     const bool fits = std::max(std::fabs(place[0]), std::fabs(place[1])) <= std::numeric_limits<float>::max();

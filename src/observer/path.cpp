@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "observer/pose.h"
+#include "observer/turn.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
@@ -97,6 +99,14 @@ double CameraPath::clock(double frame) const {
     return between_keys(eased(path_, frame), [](const PathKey& key) { return key.time; });
 }
 
+// At its place: at a key as the key says.
+void CameraPath::turn_between_keys(double frame, CameraSpec& camera) const {
+    const PathKey *before = &path_.keys[key_before(frame)], *after = before + 1;
+    if (frame > before->frame && frame < after->frame)
+        set_world_axes(camera, axes_between(world_from_camera(before->camera), world_from_camera(after->camera),
+                                            (frame - before->frame) / (after->frame - before->frame)));
+}
+
 CameraSpec CameraPath::through_keys(double at) const {
     const double frame = eased(path_, at);
     CameraSpec camera = path_.keys[key_before(frame)].camera;
@@ -108,6 +118,8 @@ CameraSpec CameraPath::through_keys(double at) const {
         for (const auto member : {&ZoomSpec::depth, &ZoomSpec::angle})
             *camera.zoom.*member = between_keys(
                 frame, [member](const PathKey& key) { return key.camera.zoom.value_or(ZoomSpec{}).*member; });
+    else if (path_.turn == PathTurn::kShortest)
+        turn_between_keys(frame, camera);
     return camera;
 }
 

@@ -38,6 +38,7 @@ private:
     CameraSpec through_keys(double frame) const;
     template <class Of>
     double between_keys(double frame, const Of& of) const;
+    void turn_between_keys(double frame, CameraSpec& camera) const;
     std::size_t key_before(double frame) const;  // the last that is not the last of all
     PathSpec path_;
     CameraSpec start_;

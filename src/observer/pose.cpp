@@ -89,6 +89,14 @@ Mat3 static_from_camera(const CameraSpec& camera) {
     return unrotated * yaw * pitch * roll;
 }
 
+Mat3 world_from_camera(const CameraSpec& camera) {
+    return world_from_static(camera.theta, camera.phi) * static_from_camera(camera);
+}
+
+void set_world_axes(CameraSpec& camera, const Mat3& world_axes) {
+    set_axes(camera, transposed(world_from_static(camera.theta, camera.phi)) * world_axes);
+}
+
 Result<TetradPair> camera_rows_pair(const CameraSpec& camera) {
     if (Result<Done> ok = check_speed(camera); !ok) return ok.error();
     return as_pair(rows_along_frame(static_from_camera(camera), camera.velocity));

@@ -18,7 +18,11 @@ Mat3 world_from_static(double theta, double phi);
 // the axes as they then are: yaw takes forward towards right, pitch takes forward towards up, roll takes up towards
 // right.
 Mat3 static_from_camera(const CameraSpec& camera);
-// Its inverse: yaw, pitch and roll that give these axes.
+// The same in world axes.
+Mat3 world_from_camera(const CameraSpec& camera);
+// Yaw, pitch and roll that give these axes, by theta and phi of the camera.
+void set_world_axes(CameraSpec& camera, const Mat3& world_axes);
+// The inverse of static_from_camera: yaw, pitch and roll that give these axes.
 void set_axes(CameraSpec& camera, const Mat3& axes);
 // Yaw and pitch that give this backward axis; roll stays.
 void set_direction(CameraSpec& camera, Vec3 backward);

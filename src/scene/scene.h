@@ -304,6 +304,7 @@ struct PictureSpec {
 enum class PathKind { kFall, kKeys };
 enum class PathOrientation { kGyroscope, kCentre };
 enum class PathEasing { kNone, kSmooth };
+enum class PathTurn { kAngles, kShortest };
 struct PathKey {
     double frame = 0.0;
     CameraSpec camera;
@@ -316,6 +317,8 @@ struct PathSpec {
     int frames = 240;
     double rate = 24.0;                     // frames per second
     PathEasing easing = PathEasing::kNone;  // kKeys; kSmooth: from rest to rest (observer/path.h)
+    // kKeys: between keys yaw, pitch and roll are interpolated, or the camera turns about one axis in world axes; not in a zoom.
+    PathTurn turn = PathTurn::kAngles;
     // kFall: proper time from the first frame to the last, r_s/c; 0: to the end of the worldline.
     double duration = 0.0;
     std::vector<PathKey> keys;  // kKeys: two or more, by ascending frame

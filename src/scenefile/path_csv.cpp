@@ -8,12 +8,15 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "base/csv.h"
 #include "base/text.h"
 #include "observer/observer.h"
 #include "observer/path.h"
+#include "observer/pose.h"
+#include "observer/turn.h"
 #include "scene/projection.h"
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_keys.h"
@@ -33,8 +36,13 @@ constexpr std::string_view kKeyColumns[] = {"r",           "theta",          "ph
                                             "depth",       "angle"};
 constexpr std::string_view kVelocity[] = {"velocity_r", "velocity_theta", "velocity_phi"};
 constexpr std::string_view kPlace[] = {"x", "y", "z"};
+constexpr std::string_view kLookUp[] = {"look_x", "look_y", "look_z", "up_x", "up_y", "up_z"};
+constexpr std::string_view kQuaternion[] = {"qw", "qx", "qy", "qz"};
+constexpr std::string_view kAngles[] = {"yaw", "pitch", "roll"};
 constexpr double Vec3::*kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 constexpr KeyRange kFrames = closed(0.0, 1e6), kTimes = closed(-1e9, 1e9), kPlaces = closed(-1e9, 1e9);
+constexpr double kQuaternionTolerance = 1e-3;  // of its length: what is printed with four digits is one
+constexpr double kLeastUpAngle = 1e-6;         // rad, from look and from its opposite
 
 bool is_zoom(std::string_view column) { return column == "depth" || column == "angle"; }
 
@@ -48,6 +56,8 @@ std::vector<std::string> all_columns() {
     names.insert(names.end(), std::begin(kKeyColumns), std::end(kKeyColumns));
     names.insert(names.end(), std::begin(kVelocity), std::end(kVelocity));
     names.insert(names.end(), std::begin(kPlace), std::end(kPlace));
+    names.insert(names.end(), std::begin(kLookUp), std::end(kLookUp));
+    names.insert(names.end(), std::begin(kQuaternion), std::end(kQuaternion));
     return names;
 }
 
@@ -57,7 +67,7 @@ public:
         scene_.bodies.clear(), scene_.spots.clear(), scene_.disc.reset(), scene_.medium.reset(),
             scene_.path.reset();  // of the camera's check they are none
     }
-    Result<std::vector<PathKey>> read(const std::string& text);
+    Result<PathTable> read(const std::string& text);
 
 private:
     Error fault(std::string_view column, std::string_view what, std::string_view allowed) const {
@@ -65,12 +75,17 @@ private:
             Error{ErrorKind::kBadInput, std::string(what), std::string(allowed), std::string(column), label_, line_});
     }
     bool has(std::string_view column) const { return std::ranges::find(columns_, column) != columns_.end(); }
+    bool by_axes() const { return has("look_x") || has("qw"); }
+    Status check_groups() const;
     Status read_header(std::string_view text);
     Status read_row(const Row& row);
     Result<double> number(const Row& row, std::string_view column, const KeyRange& range) const;
     Status set_key(const Row& row, std::string_view column);
     Status set_place(const Row& row);
     Status set_velocity(const Row& row);
+    Result<Vec3> vector(const Row& row, std::span<const std::string_view, 3> columns) const;
+    Result<Mat3> axes_by_look(const Row& row) const;
+    Result<Mat3> axes_by_quaternion(const Row& row) const;
     const std::string& field(const Row& row, std::string_view column) const {
         return row[static_cast<std::size_t>(std::ranges::find(columns_, column) - columns_.begin())];
     }
@@ -97,13 +112,24 @@ Status PathReader::read_header(std::string_view text) {
         }
         if (std::ranges::count(columns_, column) > 1) return fault(column, "this column is there twice", "once");
     }
-    for (const auto& whole : {kVelocity, kPlace}) {
-        const auto there = std::ranges::count_if(whole, whole + 3, [&](auto c) { return has(c); });
-        if (there != 0 && there != 3)
-            return fault("header", fmt::format("not all of {}", fmt::join(whole, whole + 3, ", ")), "all or none");
-    }
+    return check_groups();
+}
+
+// Columns that go together, and those that say the same.
+Status PathReader::check_groups() const {
+    using Columns = std::span<const std::string_view>;
+    const auto given = [&](Columns columns) { return std::ranges::count_if(columns, [&](auto c) { return has(c); }); };
+    for (const Columns whole : {Columns(kVelocity), Columns(kPlace), Columns(kLookUp), Columns(kQuaternion)})
+        if (const auto there = given(whole); there != 0 && there != std::ssize(whole))
+            return fault("header", fmt::format("not all of {}", fmt::join(whole, ", ")), "all or none");
     if (has("x") && (has("r") || has("theta") || has("phi")))
         return fault("header", "both x, y, z and r, theta, phi are given", "one of both");
+    if ((given(kLookUp) > 0) + (given(kQuaternion) > 0) + (given(kAngles) > 0) > 1)
+        return fault("header", "the camera's axes are given twice",
+                     "one of yaw, pitch, roll; look_x, look_y, look_z, up_x, up_y, up_z; qw, qx, qy, qz");
+    if (by_axes() && (scene_.camera.zoom || has("depth") || has("angle")))
+        return fault(has("qw") ? "qw" : "look_x", "there is a [zoom], whose depth and angle turn the camera",
+                     "without [zoom]");
     return Done{};
 }
 
@@ -155,6 +181,40 @@ Status PathReader::set_velocity(const Row& row) {
     return Done{};
 }
 
+Result<Vec3> PathReader::vector(const Row& row, std::span<const std::string_view, 3> columns) const {
+    Vec3 of;
+    for (std::size_t i = 0; i < 3; ++i) {
+        TRY(value, number(row, columns[i], kPlaces));
+        of.*kAxes[i] = *value;
+    }
+    if (of == Vec3{}) return fault(columns[0], fmt::format("{} are 0", fmt::join(columns, ", ")), "not all of them 0");
+    return normalized(of);
+}
+
+Result<Mat3> PathReader::axes_by_look(const Row& row) const {
+    TRY(look, vector(row, std::span(kLookUp).first<3>()));
+    TRY(up, vector(row, std::span(kLookUp).last<3>()));
+    const Vec3 across = cross(*look, *up);
+    if (!(length(across) >= kLeastUpAngle))
+        return fault("up_x", "up_x, up_y, up_z are along look_x, look_y, look_z",
+                     fmt::format("{} rad or more from it and its opposite", kLeastUpAngle));
+    const Vec3 right = normalized(across);
+    return Mat3{right, cross(right, *look), -*look};
+}
+
+Result<Mat3> PathReader::axes_by_quaternion(const Row& row) const {
+    std::array<double, 4> q{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        TRY(value, number(row, kQuaternion[i], closed(-1.0 - kQuaternionTolerance, 1.0 + kQuaternionTolerance)));
+        q[i] = *value;
+    }
+    const double size = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    if (!(std::fabs(size - 1.0) <= kQuaternionTolerance))
+        return fault("qw", fmt::format("qw, qx, qy, qz have the length {}", size),
+                     fmt::format("[{}, {}]", 1.0 - kQuaternionTolerance, 1.0 + kQuaternionTolerance));
+    return axes_of({q[0] / size, q[1] / size, q[2] / size, q[3] / size});
+}
+
 Status PathReader::read_row(const Row& row) {
     if (row.size() != columns_.size())
         return fault("row", fmt::format("{} fields", row.size()), fmt::format("{}, as in the header", columns_.size()));
@@ -172,6 +232,10 @@ Status PathReader::read_row(const Row& row) {
     if (has("x")) {
         if (Status set = set_place(row); !set) return set;
         if (!keys_.empty()) unwrap_angles(keys_.back().camera, scene_.camera);
+    }
+    if (by_axes()) {
+        TRY(axes, has("qw") ? axes_by_quaternion(row) : axes_by_look(row));
+        set_world_axes(scene_.camera, *axes);
     }
     if (has("velocity_r"))
         if (Status set = set_velocity(row); !set) return set;
@@ -192,7 +256,7 @@ Status PathReader::read_row(const Row& row) {
     return Done{};
 }
 
-Result<std::vector<PathKey>> PathReader::read(const std::string& text) {
+Result<PathTable> PathReader::read(const std::string& text) {
     CsvLines lines(text);
     for (bool header = true; lines.next(); header = false) {
         line_ = lines.number;
@@ -206,7 +270,7 @@ Result<std::vector<PathKey>> PathReader::read(const std::string& text) {
         if (Status read = read_row(*fields); !read) return read.error();
     }
     if (keys_.size() < 2) return fault("row", "fewer than two rows", "a header and two rows or more");
-    return std::move(keys_);
+    return PathTable{std::move(keys_), by_axes()};
 }
 
 // Whether all rows have what a camera has that is told nothing of it.
@@ -267,7 +331,7 @@ std::string field_text(const PathKey& key, std::string_view column) {
 
 }  // namespace
 
-Result<std::vector<PathKey>> read_path_csv(const std::string& text, const std::string& label, const Scene& scene) {
+Result<PathTable> read_path_csv(const std::string& text, const std::string& label, const Scene& scene) {
     return PathReader(label, scene).read(text);
 }
 

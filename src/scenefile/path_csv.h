@@ -2,7 +2,8 @@
 //
 // Columns are called as the keys of [camera] and [zoom], have their units and ranges, and may stand in any order; velocity_r,
 // velocity_theta, velocity_phi are the components of camera.velocity; x, y, z may stand for r, theta, phi: r_s, as if these were spherical
-// coordinates of flat space. What has no column is as in the scene's [camera]; without a column frame the rows are frames 0, 1, ...
+// coordinates of flat space; look_x ... up_z or qw ... qz, the camera's axes in world axes (observer/pose.h), for yaw, pitch, roll: qw ...
+// turns x, y, z into right, up, backward, which are also the axes of a camera in Blender. What has no column is as in the scene's [camera]; without a column frame the rows are frames 0, 1, ...
 #pragma once
 #include <string>
 #include <vector>
@@ -14,9 +15,14 @@ namespace nullscope {
 
 inline constexpr std::size_t kMostPathRows = 100000;
 
-// Two keys or more. scene: whose spacetime they are in, and whose camera has what the table does not say. Errors: as of a scene file, with
+struct PathTable {
+    std::vector<PathKey> keys;  // two or more
+    bool by_axes = false;       // with columns look_x ... or qw ...
+};
+
+// scene: whose spacetime they are in, and whose camera has what the table does not say. Errors: as of a scene file, with
 // the table's line and column. Cost: some microseconds a row, more in spacetimes that are slow to make.
-Result<std::vector<PathKey>> read_path_csv(const std::string& text, const std::string& label, const Scene& scene);
+Result<PathTable> read_path_csv(const std::string& text, const std::string& label, const Scene& scene);
 
 enum class PathPlaces { kSpherical, kCartesian };
 // With all that is not the default in some row. Numbers read back as the same ones, or the next to them; x, y, z to rounding. Errors:

@@ -265,11 +265,16 @@ void SceneReader::read_path_file() {
     if (!scene_.path->keys.empty()) return report(line, "path.file", "there are [[path.key]] too", "one of both");
     const auto text = read_text(path_file_);
     if (!text) return report(line, "path.file", text.error().what, "a table of keys");
-    auto keys = read_path_csv(*text, path_file_.string(), scene_);
-    if (keys)
-        scene_.path->keys = std::move(*keys);
-    else
-        reports_.emplace(line, keys.error());
+    auto table = read_path_csv(*text, path_file_.string(), scene_);
+    if (!table) {
+        reports_.emplace(line, table.error());
+        return;
+    }
+    scene_.path->keys = std::move(table->keys);
+    if (!table->by_axes) return;
+    if (lines_.contains("path.turn") && scene_.path->turn != PathTurn::kShortest)
+        report(lines_["path.turn"], "path.turn", "the file has the camera's axes, not its angles", "shortest");
+    scene_.path->turn = PathTurn::kShortest;
 }
 
 // A file of a newer format is told so before anything else is said about it.

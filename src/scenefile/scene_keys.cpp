@@ -197,6 +197,10 @@ constexpr SceneKey kKeys[] = {
      "For kind = \"keys\": frames pass at an even rate, or slowly at both ends, so that the camera starts and ends at "
      "rest.",
      [](auto& s) { return &s.path->easing; }, path_is<PathKind::kKeys>, "kind = \"keys\""},
+    {"path", "turn", KeyType::kChoice, "", "angles", kNoRange, "angles shortest",
+     "For kind = \"keys\": between keys yaw, pitch and roll are interpolated, or the camera turns the shortest way in "
+     "world axes (slerp). Tables with the camera's axes have the second.",
+     [](auto& s) { return &s.path->turn; }, path_is<PathKind::kKeys>, "kind = \"keys\""},
 
     {"sky", "kind", KeyType::kChoice, "", "stars", kNoRange,
      "stars image black nebula points plain checker grid stripes noise formula",

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Frames with motion blur in every kind of file, and cameras that go to a table and come back."""
+import math
 import re
 import sys
 from pathlib import Path
@@ -93,6 +94,45 @@ class Shutter(support.CliTest):
         self.refused("path", "flat", says=["no [path]"])
         self.write("camera.csv", "r\n9\nfar\n")
         self.refused("capture", again, says=['camera.csv:3: r: "far" is no number; allowed: [-1000000000, 1000000000]'])
+
+
+    def test_a_path_by_axes_is_that_by_angles(self):
+        """Pictures by yaw, pitch and roll, by look and up, and by a quaternion; of frames between the rows the last two."""
+        tables = {"angles": ["yaw,pitch,roll"], "looks": ["look_x,look_y,look_z,up_x,up_y,up_z"], "turns": ["qw,qx,qy,qz"]}
+        for row, (x, y, yaw, pitch, roll) in enumerate(((20, 3, 5, 4, 10), (15, 8, -12, -3, 70))):
+            r, phi = math.hypot(x, y), math.atan2(y, x)
+            out, east, north = (math.cos(phi), math.sin(phi), 0), (-math.sin(phi), math.cos(phi), 0), (0, 0, 1)
+            a, b, c = (math.radians(angle) for angle in (yaw, pitch, roll))
+            frame = [east, north, out]                                    # right, up and backward of a camera that looks inward
+            for one, other, angle in ((2, 0, -a), (2, 1, -b), (0, 1, -c)):   # yaw: forward to the right; pitch: to up; roll: up to the right
+                turned = list(frame)
+                turned[one] = [math.cos(angle) * p + math.sin(angle) * q for p, q in zip(frame[one], frame[other])]
+                turned[other] = [math.cos(angle) * q - math.sin(angle) * p for p, q in zip(frame[one], frame[other])]
+                frame = turned
+            right, up, back = frame
+            w = 0.5 * math.sqrt(1 + right[0] + up[1] + back[2])
+            turn = (w, (up[2] - back[1]) / (4 * w), (back[0] - right[2]) / (4 * w), (right[1] - up[0]) / (4 * w))
+            for name, numbers in (("angles", (yaw, pitch, roll)), ("looks", [-7 * v for v in back] + list(up)), ("turns", turn)):
+                tables[name].append(",".join(repr(v) for v in numbers))
+            for name in tables:
+                tables[name][-1] += f",{4 * row},{x},{y},0"
+        for name, lines in tables.items():
+            self.write(f"{name}.csv", "\n".join([lines[0] + ",frame,x,y,z", *lines[1:]]) + "\n")
+            self.write(f"{name}.toml", f'[sky]\nkind = "checker"\n[path]\nkind = "keys"\nfile = "{name}.csv"\n')
+            for frame in (0, 2, 4):
+                self.run_nullscope("capture", f"{name}.toml", "--size", "64x36", "--frames", f"{frame}:{frame + 1}", "-o", name + "%d.exr")
+
+        def apart(one, other):
+            return float(re.search(r"max ([0-9.e-]+)", self.run_nullscope("compare", one, other).out).group(1))
+        for frame in (0, 4):
+            for name in ("looks", "turns"):
+                self.assertLess(apart(f"angles{frame}.exr", f"{name}{frame}.exr"), 1e-4, f"{name} {frame}")
+        self.assertLess(apart("looks2.exr", "turns2.exr"), 1e-4)
+        self.assertGreater(apart("angles2.exr", "turns2.exr"), 1e-2)
+        self.assertGreater(apart("turns0.exr", "turns4.exr"), 1e-2)
+        self.write("turns.csv", "qw,qx,qy,qz\n1,0,0,0\n0.5,0,0,0\n")
+        self.refused("capture", "turns.toml", "--frames", "0:1", "-o", "no%d.png",
+                     says=["turns.csv:3: qw: qw, qx, qy, qz have the length 0.5; allowed: [0.999, 1.001]"])
 
 
 if __name__ == "__main__":
