@@ -194,12 +194,10 @@ constexpr SceneKey kKeys[] = {
      "For kind = \"keys\": a table of the keys, instead of [[path.key]].", kPathFile, path_is<PathKind::kKeys>,
      "kind = \"keys\""},
     {"path", "easing", KeyType::kChoice, "", "none", kNoRange, "none smooth",
-     "For kind = \"keys\": frames pass at an even rate, or slowly at both ends, so that the camera starts and ends at "
-     "rest.",
+     "For kind = \"keys\": frames pass at an even rate, or slowly at both ends: the camera begins and ends at rest.",
      [](auto& s) { return &s.path->easing; }, path_is<PathKind::kKeys>, "kind = \"keys\""},
     {"path", "turn", KeyType::kChoice, "", "angles", kNoRange, "angles shortest",
-     "For kind = \"keys\": between keys yaw, pitch and roll are interpolated, or the camera turns the shortest way in "
-     "world axes (slerp). Tables with the camera's axes have the second.",
+     "For kind = \"keys\": yaw, pitch and roll are interpolated, or the camera turns the shortest way (slerp).",
      [](auto& s) { return &s.path->turn; }, path_is<PathKind::kKeys>, "kind = \"keys\""},
 
     {"sky", "kind", KeyType::kChoice, "", "stars", kNoRange,

@@ -82,6 +82,12 @@ double FrameRenderer::ray_picture_ms(const PaintJob& job) const {
     return picture_ms_ > 0.0 && other > 0.0 ? picture_ms_ + other : 0.0;
 }
 
+bool FrameRenderer::drafts(const PaintJob& job) const {
+    const EffectSet effects = effect_set(required_effects(job.scene));
+    return takes_samples(effects) || interpolates_matter(effects) || searches_stars() ||
+           (job.side_b != nullptr && side_b_ != nullptr && side_b_->drafts(*job.side_b));
+}
+
 double FrameRenderer::coarseness(const PaintJob& job) {
     if (!job.coarse_first || job.rays) return 1.0;
     const CameraSpec& camera = job.scene.camera;

@@ -68,11 +68,7 @@ public:
     // How many times smaller than the job's, in each direction, a picture in motion should be to hold the frame rate; 1: as large.
     double coarseness(const PaintJob& job);
     // Whether a picture of one ray a pixel, with light of matter less exact and star images found quickly, is worth its time.
-    bool drafts(const PaintJob& job) const {
-        const EffectSet effects = effect_set(required_effects(job.scene));
-        return takes_samples(effects) || interpolates_matter(effects) || searches_stars() ||
-               (job.side_b != nullptr && side_b_ != nullptr && side_b_->drafts(*job.side_b));
-    }
+    bool drafts(const PaintJob& job) const;
     bool searches_stars() const {
         return renderer_.searches_stars() || (right_ != nullptr && right_->searches_stars());
     }
@@ -97,7 +93,7 @@ private:
     std::optional<Painting> one_picture(const PaintJob& job, double coarseness, bool first, const TexturesInUse& avoid,
                                         const DrawWatch& watch);
     Status prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search);
-    // at_once: in one band, for drivers share little work within a small one.
+    // at_once: in one band.
     std::optional<DrawTimes> draw(const gl::Target& target, bool at_once, const DrawWatch& watch);
     const gl::Target& target(int width, int height, const TexturesInUse& avoid);
     void add_facts(Painting& painting);
