@@ -84,6 +84,8 @@ std::optional<SceneFault> judge(const GridMatter& grid, const NumberedFiles& fil
             if (n == 0) judged.form = known.form;
             continue;
         }
+        if (std::error_code error; !fs::is_regular_file(file, error))  // a pipe would be waited for
+            return SceneFault{kFile, fmt::format("{} is not a regular file", name_of(file)), "grids of matter"};
         auto head = head_of(file);
         if (!head) return file_fault(kFile, file, head.error(), "a grid of matter");
         if (n == 0)
@@ -176,7 +178,8 @@ DumpTimes dump_times(const GridMatter& grid) {
 
 std::string dump_words(const GridMatter& grid) {
     const auto [from, to] = dump_times(grid);
-    return fmt::format("{} dumps, {} to {}, at times [{:.9g}, {:.9g}] r_s/c", grid.last - grid.first + 1, grid.first,
+    const int count = grid.last - grid.first + 1;
+    return fmt::format("{} dump{}, {} to {}, at times [{:.9g}, {:.9g}] r_s/c", count, count == 1 ? "" : "s", grid.first,
                        grid.last, from, to);
 }
 

@@ -1,5 +1,6 @@
 // Matter of dumps: what is between two of them, what is read and kept, and what is refused.
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <memory>
@@ -183,6 +184,12 @@ TEST_CASE("medium dumps: what is refused, in one line with file, key and what is
     holds(good, {"line 1 of \"flow-00007.grid\": another version"});
     std::filesystem::remove(dump);
     holds(good, {"medium.file: there is no file \"flow-00007.grid\""});
+    std::filesystem::create_directory(dump);
+    holds(good, {"medium.file: \"flow-00007.grid\" is not a regular file"});
+    std::filesystem::remove(dump);
+    REQUIRE(::mkfifo(dump.c_str(), 0600) == 0);
+    holds(good, {"medium.file: \"flow-00007.grid\" is not a regular file"});
+    std::filesystem::remove(dump);
     // Numbers, which are looked at when they are read
     REQUIRE(write_text_atomically(dump, grid_bytes(spot_form(), [](double, double, double) { return GridNode{-1}; })));
     CHECK(said(good) == "good");
