@@ -30,6 +30,7 @@ ROOT = Path(__file__).resolve().parent.parent
 HARD = ("gpu_tests", "hard cases*")
 GOLDEN = ("golden_tests", "every case is*")
 LIMB = ("gpu_tests", "limb darkening*")
+POLARISED = ("gpu_tests", "polarisation*")
 GAS = ("gpu_tests", "disc gas*")
 GAS_LAW = ("unit_tests", "disc gas*")
 LINE = ("unit_tests", "line profile*")
@@ -167,9 +168,17 @@ MUTANTS = [Mutant(*row) for row in [
     ("limb-motion", "the matter's motion left out of the light's angle to the disc", "shaders/planar/disc.glsl",
      "1.0e-20) * (g / g_of(trace));", "1.0e-20);", LIMB),
     ("limb-camera", "the camera's motion in the light's angle to a rotating hole's disc", "shaders/mino/disc.glsl",
-     "crossing.rise / crossing.r * (g / trace.doppler)", "crossing.rise / crossing.r * g", LIMB),
+     "abs(crossing.rise) / crossing.r * (g / trace.doppler)", "abs(crossing.rise) / crossing.r * g", LIMB),
     ("limb-parts", "a part of light that is off, in the light's angle to the disc", "shaders/object/disc_matter.glsl",
      "disc_cosine(trace, crossing, result.g) * parts", "disc_cosine(trace, crossing, result.g)", LIMB),
+    ("polarised-mirror", "the imaginary part of Walker and Penrose's constant turned over", "shaders/core/polarisation.glsl",
+     "k.y * f.z - k.z * f.y", "k.z * f.y - k.y * f.z", POLARISED),
+    ("polarised-matter", "the matter's motion left out of its light's polarisation", "shaders/core/polarisation.glsl",
+     "vec3 way = seen_from(u, k);", "vec3 way = vec3(k.x, k.y, k.z);", POLARISED),
+    ("polarised-screen", "the turn of the screen's axes off the line of sight left out", "shaders/core/screen.glsl",
+     "vec2(n.x * along.x - n.y * along.y, n.x * along.y + n.y * along.x)", "vec2(0.0)", POLARISED),
+    ("polarised-camera", "the camera's motion left out of what its screen stands to", "src/observer/screen_form.cpp",
+     "boost(aberration ? observer.velocity : Vec3{})", "boost(Vec3{})", POLARISED),
     ("scale-lapse", "a scale bar without the lapse", "src/observer/picture_scale.cpp",
      "std::sqrt(spacetime.lapse_squared(camera.r)) /", "1.0 /", ("unit_tests", "annotations*")),
     ("scale-parsec", "a scale bar in light years", "src/annotate/annotations.cpp",

@@ -55,5 +55,10 @@ float disc_g(Trace trace, DiscCrossing crossing, vec3 u) {
 
 #ifdef SLOT_DISC_LIGHT
 // As planar/disc.glsl; the momentum across the plane is |p_theta|/r.
-float disc_cosine(Trace trace, DiscCrossing crossing, float g) { return crossing.rise / crossing.r * (g / trace.doppler); }
+float disc_cosine(Trace trace, DiscCrossing crossing, float g) { return abs(crossing.rise) / crossing.r * (g / trace.doppler); }
+#endif
+
+#ifdef NEEDS_POLARISATION
+// Of the photon: E, L_z, p_r Delta/r^2, p_theta.
+vec4 disc_photon(Trace trace, DiscCrossing crossing) { return vec4(trace.energy, trace.momentum, crossing.climb, crossing.rise); }
 #endif

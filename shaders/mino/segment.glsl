@@ -174,8 +174,8 @@ struct DiscCrossing {
     vec2 along;       // footprint of one pixel on the disc in (x, y), r_s: image of its side to the right
     vec2 across;      // ... and upward
     float climb;      // d zeta / d tau there: p_r of the photon is climb / (zeta^2 Delta)
-#ifdef SLOT_DISC_LIGHT
-    float rise;       // |d n_z / d tau| = |p_theta| there, the root of Carter's constant
+#ifdef NEEDS_RISE
+    float rise;       // d n_z / d tau there: p_theta of the photon, the root of Carter's constant
 #endif
 #ifdef NEEDS_LIGHT_TIMES
     float delay;       // how long ago, by the camera's clock, the light left
@@ -192,7 +192,7 @@ DiscCrossing no_crossing() {
     none.along = vec2(0.0, 0.0);
     none.across = vec2(0.0, 0.0);
     none.climb = 0.0;
-#ifdef SLOT_DISC_LIGHT
+#ifdef NEEDS_RISE
     none.rise = 0.0;
 #endif
 #ifdef NEEDS_LIGHT_TIMES
@@ -227,8 +227,8 @@ DiscCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h, f
     crossing.r = 1.0 / max(at.w, 1.0e-12);
     crossing.place = crossing.r * vec2(c * at.x - t * at.y, t * at.x + c * at.y);
     crossing.climb = spin_slope_at(segment.arc, s).w / h;
-#ifdef SLOT_DISC_LIGHT
-    crossing.rise = abs(spin_slope_at(segment.arc, s).z / h);
+#ifdef NEEDS_RISE
+    crossing.rise = spin_slope_at(segment.arc, s).z / h;
 #endif
 #ifdef NEEDS_LIGHT_TIMES
     crossing.delay = segment_delay(ray, segment, s, at);

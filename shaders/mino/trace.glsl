@@ -1,5 +1,8 @@
 // One pixel's ray about a rotating hole, from the camera to its end (mino/kerr.glsl). In place of planar/trace.glsl, where rays stay in planes:
 // the same Trace as far as a sky asks for it. Reads the global `frame` (FrameData).
+#ifdef NEEDS_POLARISATION
+#include "core/screen.glsl"
+#endif
 #ifdef NEEDS_FOOTPRINT
 #include "core/pixel_sides.glsl"
 #include "effect/sampling.glsl"
@@ -30,6 +33,9 @@ struct Trace {
     float momentum;       // of the photon over its frequency in the observer's frame
     float energy;
     KeptCrossings kept;   // of the disc
+#ifdef NEEDS_POLARISATION
+    vec2 screen_phase;
+#endif
 #ifdef NEEDS_PLACE
     SolidHit solid;       // the first body
 #ifdef NEEDS_FOOTPRINT
@@ -68,6 +74,9 @@ Trace trace_start(SpinView view, SpinRay ray) {
     trace.momentum = -ray.momentum;
     trace.energy = -ray.energy;
     trace.kept = kept_none();
+#ifdef NEEDS_POLARISATION
+    trace.screen_phase = screen_phase(pixel_view(view.pixel));
+#endif
     return trace;
 }
 

@@ -11,6 +11,7 @@
 #ifdef EFFECT_THERMAL_DISC
 #include "object/disc_matter.glsl"
 #endif
+#include "object/disc_stokes.glsl"
 #ifdef SLOT_DISC_GLOW
 #include "generated/disc_glow"
 #endif
@@ -29,6 +30,7 @@ vec4 disc_painted(DiscCrossing crossing, float delay) {
 
 // Premultiplied colour and coverage.
 vec4 disc_colour(Trace trace, DiscCrossing crossing) {
+    disc_stokes_begin();
     float delay = 0.0;
 #ifdef NEEDS_DELAY
 #ifdef EFFECT_DELAY
@@ -42,6 +44,7 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
     float alpha = clamp((crossing.r - inner) / across + 0.5, 0.0, 1.0) * clamp((outer - crossing.r) / across + 0.5, 0.0, 1.0);
 #ifdef SLOT_DISC_GLOW
     vec3 glow = disc_glow(trace, crossing, delay) * alpha;
+    disc_stokes_times(alpha);
 #endif
     float whole = 1.0;   // of its opacity, within its rims
 #ifdef EFFECT_TRANSLUCENT_DISC
@@ -63,7 +66,8 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
     vec3 light = texel.rgb * frame.disc_surface.z * alpha;
 #endif
 #ifdef EFFECT_THERMAL_DISC
-    light *= thermal_light(disc_matter(trace, crossing));
+    DiscMatter matter = disc_matter(trace, crossing);
+    light = polarised_light(light * thermal_light(matter), disc_matter_polarised(trace, crossing, matter));
 #endif
 #ifdef SLOT_DISC_GLOW
     light += glow;

@@ -15,6 +15,10 @@ vec4 disc_matter_fetch(int i, int row) { return texelFetch(disc_matter_texture, 
 struct DiscMatter {
     float heat;   // log2 of the temperature over the hottest ring's
     float g;      // frequency in the camera over frequency in the matter
+#ifdef NEEDS_POLARISATION
+    vec3 u;       // velocity, as disc_g has it, over `scale`
+    vec3 lapses;  // of the matter; of the light (object/disc_polarisation.glsl); scale
+#endif
 #ifdef SLOT_DISC_LIGHT
     float cosine; // between the light and the disc's normal, in the matter's frame
 #endif
@@ -29,6 +33,11 @@ DiscMatter disc_matter(Trace trace, DiscCrossing crossing) {
     DiscMatter result;
     result.heat = matter.x;
     result.g = disc_g(trace, crossing, matter.yzw);
+#ifdef NEEDS_POLARISATION
+    vec4 lapses = mix(disc_matter_fetch(i, 1), disc_matter_fetch(i + 1, 1), x - float(i));
+    result.u = matter.yzw;
+    result.lapses = lapses.yzw;
+#endif
 #ifdef SLOT_DISC_LIGHT
     float parts = mix(disc_matter_fetch(i, 1).x, disc_matter_fetch(i + 1, 1).x, x - float(i));
     result.cosine = clamp(disc_cosine(trace, crossing, result.g) * parts, 0.0, 1.0);

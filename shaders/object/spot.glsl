@@ -1,7 +1,8 @@
 // Hot spots in the disc. Three vectors of each [spot]: radius, angle now, Omega, angle between two; size^2, brightness, log2 of the temperature (K)
-// and of its luminance; u^t, u^phi as disc_flow_row has them, 0, 0.
+// and of its luminance; u^t, u^phi as disc_flow_row has them, the lapses of its matter and of light (object/disc_polarisation.glsl).
 #include "core/trig.glsl"
 #include "effect/black_body.glsl"
+#include "object/disc_stokes.glsl"
 #include "path/disc"
 #include "path/trace"
 #include "shared/objects.glsl"
@@ -26,6 +27,13 @@ float spot_profile(float size2, vec2 off, vec2 along, vec2 across) {
     return small * inversesqrt(det) * exp(-0.5 * min(square, 160.0));
 }
 
+#ifdef NEEDS_POLARISATION
+// velocity: u^t, u^phi, lapses.
+vec2 spot_polarised(Trace trace, DiscCrossing crossing, vec4 velocity) {
+    return disc_polarised(trace, crossing, vec3(velocity.x, velocity.y, 0.0), vec2(velocity.z, velocity.w), 1.0);
+}
+#endif
+
 // Of the spots on one circular orbit, number k: what shines of the one that is nearest. delay: how long ago the light left that arrives now.
 vec3 spot_orbit_light(int k, Trace trace, DiscCrossing crossing, float delay) {
     vec4 ring = objects[SPOT_FROM + 3 * k];
@@ -40,7 +48,7 @@ vec3 spot_orbit_light(int k, Trace trace, DiscCrossing crossing, float delay) {
     if (profile < 1.0e-6) return vec3(0.0);
     vec4 velocity = objects[SPOT_FROM + 3 * k + 2];
     float g = disc_g(trace, crossing, vec3(velocity.x, velocity.y, 0.0));
-    return seen_black_body(glow.z, g, glow.w) * (glow.y * profile);
+    return polarised_light(seen_black_body(glow.z, g, glow.w) * (glow.y * profile), spot_polarised(trace, crossing, velocity));
 }
 
 vec3 spot_light(Trace trace, DiscCrossing crossing, float delay) {

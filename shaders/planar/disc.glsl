@@ -133,3 +133,14 @@ float disc_cosine(Trace trace, DiscCrossing crossing, float g) {
     return sqrt(dot(across, across)) / max(q_sine(trace.c) * crossing.r, 1.0e-20) * (g / g_of(trace));
 }
 #endif
+
+#ifdef NEEDS_POLARISATION
+// Of the photon, over its energy: 1, L_z, p_r A, p_theta. p = L x r/r^2, and theta points against the disc's normal there.
+vec4 disc_photon(Trace trace, DiscCrossing crossing) {
+    float inverse_v = 1.0 / q_sine(trace.c);
+    vec3 momentum = crossed_direction(trace) * inverse_v;
+    vec2 outward = crossing.place / crossing.r;
+    vec3 at = outward.x * vec3(frame.disc_x.x, frame.disc_x.y, frame.disc_x.z) + outward.y * vec3(frame.disc_y.x, frame.disc_y.y, frame.disc_y.z);
+    return vec4(1.0, dot(momentum, disc_axis()), trace.s * inverse_v * crossing.zeta_slope, -dot(cross(momentum, at), disc_axis()));
+}
+#endif

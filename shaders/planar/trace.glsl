@@ -5,6 +5,9 @@
 #include "core/aberration.glsl"
 #endif
 #include "core/pixel_sides.glsl"
+#ifdef NEEDS_POLARISATION
+#include "core/screen.glsl"
+#endif
 #include "core/view.glsl"
 #ifdef EFFECT_LENSING
 #include "core/strip.glsl"
@@ -29,6 +32,9 @@ struct Trace {
     vec3 sky;             // direction on the celestial sphere, unit to rounding; of use if escapes
     float stretch_along;  // d phi / d alpha: how fast the sky direction moves in the ray's plane
     float stretch_across; // sin(phi) / sin(alpha): and across it
+#ifdef NEEDS_POLARISATION
+    vec2 screen_phase;
+#endif
 #ifdef NEEDS_PHI_END
     float phi_end;        // swept to the sky or to the horizon
     float phi_end_slope;  // d phi_end / d |delta|, core/strip.glsl
@@ -219,6 +225,9 @@ Trace trace_pixel(vec2 pixel) {
     look.pixel_angle = view.angle;
     look = look_along(look, view, pixel);
     Trace trace;
+#ifdef NEEDS_POLARISATION
+    trace.screen_phase = screen_phase(view);
+#endif
     trace.doppler = look.doppler;
     trace.pixel_angle = look.pixel_angle;
     trace.side = beside_centre(look.side);

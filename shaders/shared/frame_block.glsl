@@ -56,6 +56,14 @@ struct FrameData {
 #ifdef BLOCK_THERMAL_DISC
     vec4 disc_heat;    // 1/inner, flow cells per unit of ln r, log2 of the hottest ring's temperature (K) and of its luminance
 #endif
+#ifdef BLOCK_POLARISATION
+    vec4 screen_real;  // G of observer/screen_form.h along the camera's right, up and forward, 0
+    vec4 screen_imaginary;
+    vec4 polarisation; // unit field in the matter's frame along r, theta and phi; polarised fraction, below 0: by scattering
+#endif
+#ifdef BLOCK_POLARISER
+    vec4 polariser;    // cos and sin of twice its angle from the picture's right towards up; 0, 0
+#endif
 #ifdef BLOCK_POINT_STARS
     vec4 point_stars;  // peak of the point spread (1/px^2); for a star's reach: 2 sigma^2 ln 2 (px^2), 1/magnitude_limit light; margin (px)
     vec4 point_spread; // log2(e)/(2 sigma^2) (1/px^2), 0, 0, 0

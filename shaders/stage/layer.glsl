@@ -3,10 +3,11 @@
 #define LAYER_BODIES 4
 #define LAYER_SKY 5
 #define LAYER_MEDIUM 6
+#define LAYER_STOKES 7    // Q and U of all light
 #ifdef LAYERS
 #define LAYER_ALL 0
-#define LAYER_DISC_SHARES 7    // of each order of the disc: how much of the pixel's light it hides
-#define LAYER_OTHER_SHARES 8   // of bodies, sky and matter along the ray
+#define LAYER_DISC_SHARES 8    // of each order of the disc: how much of the pixel's light it hides
+#define LAYER_OTHER_SHARES 9   // of bodies, sky and matter along the ray
 
 uniform int layer_shown;
 

@@ -9,9 +9,9 @@
 #include "effect/sampling.glsl"
 #ifdef EFFECT_WARP
 #include "effect/warp.glsl"
+#endif
 #ifdef LAYERS
 #include "stage/layer.glsl"
-#endif
 #endif
 #include "shared/frame.glsl"
 
@@ -55,6 +55,17 @@ vec4 fragment_light(vec4 light) {
 #endif
 }
 
+// The half that a polariser takes of unpolarised light.
+#ifdef EFFECT_POLARISER
+#ifdef LAYERS
+float light_passed() { return layer_shown < LAYER_STOKES ? 0.5 : 1.0; }   // shares are no light
+#else
+float light_passed() { return 0.5; }
+#endif
+#else
+float light_passed() { return 1.0; }
+#endif
+
 // rgb: light; a: what of a point behind shines through, or the way that edges ask for.
 vec4 fragment_colour(vec4 light) {
 #ifdef BLOCK_PROJECTION
@@ -68,6 +79,7 @@ vec4 fragment_colour(vec4 light) {
 #endif
     light *= clamp(0.5 - beyond_view(middle) * ray_px, 0.0, 1.0);
 #endif
+    light.rgb *= light_passed();
     vec4 colour = vec4(light.rgb, 1.0);
 #ifdef DISPLAY_ENCODE
     colour.rgb = display_encode(light.rgb, frame.image.w);

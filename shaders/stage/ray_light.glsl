@@ -41,7 +41,19 @@ struct RaySight {
 #ifdef SLOT_MEDIUM
     MediumWalk medium;
 #endif
+    vec2 stokes;          // Q and U
 };
+
+#ifdef NEEDS_STOKES
+RaySight with_stokes(RaySight sight, float share) {
+    sight.stokes += share * disc_stokes;
+    return sight;
+}
+vec3 sight_light(RaySight sight) { return layer_shown == LAYER_STOKES ? vec3(sight.stokes, 0.0) : sight.light; }
+#else
+RaySight with_stokes(RaySight sight, float share) { return sight; }
+vec3 sight_light(RaySight sight) { return sight.light; }
+#endif
 
 #ifdef NEEDS_PLACE
 RaySight sight_of_solid(RaySight sight, Trace trace) {
@@ -111,7 +123,9 @@ RaySight with_layers(RaySight sight, Trace trace) {
         sight = with_matter(sight, trace, before_solid(sight, walk.more ? crossing.phi : 0.0));
         sight = with_solid_before(sight, crossing.phi);
         vec4 over = disc_colour(trace, crossing) * walk.covered;
-        over = walk.more && crossing.hit ? over * sight.through : vec4(0.0);
+        bool met = walk.more && crossing.hit;
+        over = met ? over * sight.through : vec4(0.0);
+        sight = with_stokes(sight, met ? walk.covered * sight.through : 0.0);
         sight.light += layer_light(over.rgb, over.a, LAYER_DISC + min(disc_walk_order(walk, crossing), 2));
         sight.through = max(sight.through - over.a, 0.0);   // a cover is 1 to rounding
         walk = disc_next(trace, walk);
@@ -204,6 +218,7 @@ vec4 ray_light(vec2 pixel) {
     RaySight sight;
     sight.light = vec3(0.0);
     sight.through = 1.0;
+    sight.stokes = vec2(0.0);
     sight = sight_of_solid(sight, trace);
     sight = sight_of_matter(sight, trace, pixel);
     sight = with_layers(sight, trace);
@@ -213,5 +228,5 @@ vec4 ray_light(vec2 pixel) {
     sight = with_painted(sight, trace);
     sight = with_black(sight, trace);
     sight = with_star(sight, trace);
-    return vec4(sight.light, sight_rest(sight, trace));
+    return vec4(sight_light(sight), sight_rest(sight, trace));
 }

@@ -1,4 +1,4 @@
-// One channel of an image of three, pixel after pixel.
+// One channel of an image, pixel after pixel.
 #pragma once
 #include <vector>
 
@@ -8,8 +8,9 @@ namespace nullscope {
 
 inline std::vector<float> channel_of(const Image<float>& image, int channel) {
     std::vector<float> values;
-    values.reserve(image.data.size() / 3);
-    for (std::size_t i = static_cast<std::size_t>(channel); i < image.data.size(); i += 3)
+    values.reserve(image.data.size() / static_cast<std::size_t>(image.channels));
+    for (std::size_t i = static_cast<std::size_t>(channel); i < image.data.size();
+         i += static_cast<std::size_t>(image.channels))
         values.push_back(image.data[i]);
     return values;
 }

@@ -19,8 +19,7 @@ namespace {
 const std::array<const Feature*, kEffectCount>& features() {
     static const auto all = [] {
         std::array<const Feature*, kEffectCount> list{};
-        for (const auto group : {light_features(), disc_features(), bodies_features(), medium_features(),
-                                 picture_features(), projection_features()})
+        for (const auto group : feature_groups())
             for (const Feature& feature : group) list[static_cast<std::size_t>(feature.effect)] = &feature;
         for (const Feature* feature : list)
             if (feature == nullptr) std::abort();  // an enumerator without a Feature
@@ -46,6 +45,10 @@ bool ends_are_plain(const EffectSet& effects) {
 
 }  // namespace
 
+std::vector<std::span<const Feature>> feature_groups() {
+    return {light_features(),  disc_features(),    polarisation_features(), bodies_features(),
+            medium_features(), picture_features(), projection_features()};
+}
 const Feature& feature_of(Effect effect) { return *features()[static_cast<std::size_t>(effect)]; }
 const EffectRow& effect_row(Effect effect) { return feature_of(effect); }
 std::vector<const EffectRow*> effect_rows() { return {features().begin(), features().end()}; }

@@ -65,6 +65,8 @@ enum class Effect {
     kDiscGas,
     kRefine,
     kNarrowDisc,
+    kPolarisation,
+    kPolariser,
     kZoom,
     kSpinRing,
     kSpinNear,

@@ -59,10 +59,12 @@ struct Feature : EffectRow {
 
 std::span<const Feature> light_features();
 std::span<const Feature> disc_features();
+std::span<const Feature> polarisation_features();
 std::span<const Feature> bodies_features();
 std::span<const Feature> medium_features();
 std::span<const Feature> picture_features();
 std::span<const Feature> projection_features();
+std::vector<std::span<const Feature>> feature_groups();  // all of these
 const Feature& feature_of(Effect effect);
 
 // Parts of examples.

@@ -61,7 +61,8 @@ public:
         const double x = std::atan2(first, r1) - std::acos(rest / std::hypot(first, r1));
         c_ = std::cos(x), q_ = std::sqrt(2) * std::sin(x);
     }
-    double intensity(double mu) const { return kScale * (q_ * at(along_, mu) + (mu + c_) * at(across_, mu)); }
+    double along(double mu) const { return kScale * q_ * at(along_, mu); }  // the normal, as projected
+    double across(double mu) const { return kScale * (mu + c_) * at(across_, mu); }
 
 private:
     static constexpr double kScale = 0.26516504294495535;  // 3/(8 sqrt 2)
@@ -96,12 +97,19 @@ private:
     double c_ = 0, q_ = 0;
 };
 
-double scattered_light(double mu) {
+const ElectronAtmosphere& electron_atmosphere() {
     static const ElectronAtmosphere atmosphere;
-    return atmosphere.intensity(mu);
+    return atmosphere;
 }
 
+double scattered_light(double mu) { return electron_atmosphere().along(mu) + electron_atmosphere().across(mu); }
+
 }  // namespace
+
+double scattered_fraction(double cosine) {
+    const double along = electron_atmosphere().along(cosine), across = electron_atmosphere().across(cosine);
+    return (across - along) / (across + along);
+}
 
 DiscLight::DiscLight(const Metric& metric, const DiscSpec& disc, const LightSpec& light)
     : metric_(metric), disc_(disc), light_(light) {
@@ -202,6 +210,24 @@ double DiscLight::g_infinity(const PhotonAtDisc& photon) const {
     const double n2 = g.lapse2(), omega = -g.g_tphi / g.g_phiphi, l = last.momentum, e = last.energy - omega * l;
     const double fall = std::sqrt(std::max(e * e - n2 * (1 + l * l / g.g_phiphi), 0.0));
     return n2 / (e * (1 - omega * photon.l_z) - n2 * l * photon.l_z / g.g_phiphi + photon.climb * fall);
+}
+
+// As in g_infinity; with D = N^2 g_phiphi, u^t = (E g_phiphi + L g_tphi)/D, u^phi = -(E g_tphi + L g_tt)/D, u^r = -fall/(N sqrt(g_rr)).
+DiscLight::Velocity DiscLight::velocity(double r) const {
+    if (!light_.doppler) return {1 / metric_.rest_lapse(r), 0, 0};
+    if (r >= isco_) return circling(r);
+    const EquatorialMetric g = metric_.equator(r);
+    const Circle last = circle(isco_);
+    const double n2 = g.lapse2(), e = last.energy + g.g_tphi / g.g_phiphi * last.momentum;
+    const double fall = std::sqrt(std::max(e * e - n2 * (1 + last.momentum * last.momentum / g.g_phiphi), 0.0));
+    const double d = n2 * g.g_phiphi;
+    return {(last.energy * g.g_phiphi + last.momentum * g.g_tphi) / d, -fall / std::sqrt(n2 * g.g_rr),
+            -(last.energy * g.g_tphi + last.momentum * g.g_tt) / d};
+}
+
+DiscLight::Velocity DiscLight::circling(double r) const {
+    const Circle c = circle(r);
+    return {c.u_t, 0, c.u_t * c.omega};
 }
 
 Shift DiscLight::shift(const PhotonAtDisc& photon) const {

@@ -19,6 +19,10 @@ struct PhotonAtDisc {
     double climb;  // as PlaneCrossing
 };
 
+// Polarised fraction of what leaves an atmosphere of electrons that scatter by Thomson's law, across the normal, by the cosine of the angle to it;
+// from the same functions as its limb darkening, 1e-9.
+double scattered_fraction(double cosine);
+
 class DiscLight {
 public:
     // metric: outlives this. Some milliseconds.
@@ -26,6 +30,12 @@ public:
     // Frequency at infinity over frequency in the matter, and its parts.
     double g_infinity(const PhotonAtDisc& photon) const;
     Shift shift(const PhotonAtDisc& photon) const;
+    // Of the matter, contravariant; outside the horizon. Without Doppler at rest.
+    struct Velocity {
+        double t, r, phi;
+    };
+    Velocity velocity(double r) const;
+    Velocity circling(double r) const;  // on the circular orbit there, stable or not
     // Flux per unit of accretion rate, 1/r_s^2; some 30 microseconds.
     double flux(double r) const;
     double hottest_K() const { return disc_.temperature_K; }

@@ -10,6 +10,7 @@
 #include "scene/named_surface.h"
 #include "shaderlib/body_text.h"
 #include "spacetime/circular_orbit.h"
+#include "table/disc_light.h"
 #include "table/disc_rate.h"
 
 namespace nullscope {
@@ -87,10 +88,11 @@ std::array<FrameVector, 3> spot_numbers(const SpotSpec& spot, const FramePlan& p
     if (!light.doppler) u_t = 1.0 / lapse, u_phi = 0.0;
     if (!light.gravity) u_t *= lapse, u_phi *= lapse;
     if (!light.lensing) u_phi /= lapse;
+    const auto lapses = disc_lapses(*plan.matter, spot.r, {light.doppler, light.gravity, !light.lensing});
     return {{{spot.r, std::remainder(spot.phase + omega * late_time(plan), 2.0 * M_PI), omega, 2.0 * M_PI / spot.count},
              {spot.size * spot.size, spot.brightness, std::log2(spot.temperature_K),
               log2_brightness(spot.temperature_K, light.bolometric)},
-             {u_t, u_phi, 0, 0}}};
+             {u_t, u_phi, lapses[0], lapses[1]}}};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "base/rounding.h"
 #include "light/black_body.h"
 #include "observer/pose.h"
+#include "observer/screen_form.h"
 #include "render/body_numbers.h"
 #include "render/medium_numbers.h"
 #include "scene/projection.h"
@@ -108,7 +109,8 @@ double star_share(const FramePlan& plan) {
 void put_sky(FrameData& frame, const FramePlan& plan, const TextureFacts& textures) {
     const int size = std::max(textures.sky_size, 1);
     frame.sky = {0.5 * size, sky_levels(size) - 1.0, textures.sky_light, 0};
-    frame.point_stars = {star_share(plan) * point_peak(), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2,
+    const double passed = plan.effects.contains(Effect::kPolariser) ? 0.5 : 1.0;
+    frame.point_stars = {passed * star_share(plan) * point_peak(), 2.0 * kPointSigma_px * kPointSigma_px * M_LN2,
                          1.0 / kFaintestPoint, kPointMargin_px};
     frame.point_spread = {M_LOG2E / (2.0 * kPointSigma_px * kPointSigma_px), 0, 0, 0};
 }
@@ -131,6 +133,18 @@ void put_disc(FrameData& frame, const FramePlan& plan, const TextureFacts& textu
     if (disc.emission == DiscEmission::kThermal)
         frame.disc_heat = {1.0 / disc.inner, kDiscFlowCells / std::log(disc.outer / disc.inner), std::log2(hottest_K),
                            log2_brightness(hottest_K, scene.light.bolometric)};
+}
+
+void put_polarisation(FrameData& frame, const FramePlan& plan) {
+    const Scene& scene = plan.scene;
+    if (!plan.effects.contains(Effect::kPolarisation)) return;
+    const ScreenForm form = screen_form(*plan.light, scene.camera, plan.observer, scene.light.aberration);
+    frame.screen_real = {form[0].real(), form[1].real(), form[2].real(), 0};
+    frame.screen_imaginary = {form[0].imag(), form[1].imag(), form[2].imag(), 0};
+    const Vec3 field = field_of(scene.disc->polarisation);
+    frame.polarisation = {field.x, -field.z, field.y, polarised_fraction(scene.disc->polarisation).value_or(-1.0)};
+    const double axis = scene.picture.polariser.value_or(0.0);
+    frame.polariser = {std::cos(2.0 * axis), std::sin(2.0 * axis), 0, 0};
 }
 
 }  // namespace
@@ -174,6 +188,7 @@ FrameData frame_numbers(const FramePlan& plan, const LightPath& path, const Text
                            std::log2(*sky_K)};
     put_sky(frame, plan, textures);
     put_disc(frame, plan, textures);
+    put_polarisation(frame, plan);
     put_medium(frame, plan, textures.grid);
     frame.bloom = {scene.picture.bloom, 0, 0, 0};
     if (const auto& part = camera.part)

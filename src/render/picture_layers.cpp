@@ -1,12 +1,41 @@
 #include "render/picture_layers.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "image/channels.h"
 #include "plan/effects.h"
 #include "render/renderer.h"
 
 namespace nullscope {
+
+namespace {
+
+// Behind a polariser all light is polarised along its axis.
+void pass_polariser(double axis, Image<float>& stokes) {
+    for (std::size_t i = 0; i < stokes.data.size() / kStokesParameters; ++i) {
+        float* of = &stokes.data[kStokesParameters * i];
+        of[1] = of[0] * static_cast<float>(std::cos(2.0 * axis));
+        of[2] = of[0] * static_cast<float>(std::sin(2.0 * axis));
+    }
+}
+
+// Of Q and U of the layer kStokes.
+Image<float> stokes_of(Renderer& renderer, const Image<float>& light) {
+    const Image<float> polarised = renderer.layer(PictureLayer::kStokes);
+    Image<float> stokes(light.width, light.height, kStokesParameters);
+    for (std::size_t i = 0; i < light.data.size() / 3; ++i) {
+        const float *rgb = &light.data[3 * i], *part = &polarised.data[3 * i];
+        float* of = &stokes.data[kStokesParameters * i];
+        of[0] = 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
+        of[1] = part[0], of[2] = part[1], of[3] = 0.0f;
+    }
+    const auto& axis = renderer.tables().plan().scene.picture.polariser;
+    if (axis) pass_polariser(*axis, stokes);
+    return stokes;
+}
+
+}  // namespace
 
 PictureLayers draw_layers(Renderer& renderer) {
     const EffectSet& effects = renderer.tables().effects();
@@ -27,6 +56,7 @@ PictureLayers draw_layers(Renderer& renderer) {
     if (bodies) add("bodies", PictureLayer::kBodies, shares, 0);
     if (has_medium(effects)) add("medium", PictureLayer::kMedium, shares, 2);
     add("sky", PictureLayer::kSky, shares, 1);
+    if (effects.contains(Effect::kPolarisation)) layers.stokes = stokes_of(renderer, layers.all);
     layers.covered = channel_of(shares, 1);
     for (float& part : layers.covered) part = std::clamp(1.0f - part, 0.0f, 1.0f);
     return layers;

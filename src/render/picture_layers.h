@@ -10,10 +10,12 @@ namespace nullscope {
 class Renderer;
 
 // As shaders/stage/layer.glsl numbers them. Shares: how much of the pixel's light something hides, or would if it were behind nothing.
-// kDisc2: of the third image and all higher ones. kMedium: of matter along rays. kDiscShares: of three image orders; kOtherShares: of
+// kDisc2: of the third image and all higher ones. kMedium: of matter along rays. kStokes: Stokes parameters Q
+// and U of all light, in units of its luminance. kDiscShares: of three image orders; kOtherShares: of
 // bodies, sky and medium.
-enum class PictureLayer { kAll, kDisc0, kDisc1, kDisc2, kBodies, kSky, kMedium, kDiscShares, kOtherShares };
+enum class PictureLayer { kAll, kDisc0, kDisc1, kDisc2, kBodies, kSky, kMedium, kStokes, kDiscShares, kOtherShares };
 
+inline constexpr int kStokesParameters = 4;
 struct LayerImage {
     std::string name;    // disc0, disc1, disc2, bodies, medium, sky
     Image<float> light;  // RGB, linear, as much of it as reaches the camera: the layers add up to the picture
@@ -23,6 +25,7 @@ struct LayerImage {
 struct PictureLayers {
     Image<float> all;              // the picture
     std::vector<LayerImage> each;  // those that the scene can have
+    Image<float> stokes;           // I, Q, U, V of all light, I its luminance; empty where no light is polarised
     std::vector<float>
         covered;  // of each pixel, [0, 1]: by the disc, bodies, matter and the hole; the sky has the rest
 };

@@ -11,6 +11,7 @@
 #include "base/vec.h"
 #include "scene/known_object.h"
 #include "scene/medium_spec.h"
+#include "scene/polarisation_spec.h"
 #include "scene/projection_kind.h"
 #include "spacetime/metric_parameters.h"
 
@@ -195,6 +196,7 @@ struct DiscSpec {
     Material material{.texture = TextureKind::kImage};
     GasSpec gas{};  // with texture kGas
     DiscEffects effects{};
+    PolarisationSpec polarisation{};
     friend bool operator==(const DiscSpec&, const DiscSpec&) = default;
 };
 
@@ -293,6 +295,8 @@ struct PictureSpec {
     int samples = 1;             // a pixel is the mean of samples x samples rays
     bool refine = true;          // where samples is 1: pixels that differ much from a neighbour have more rays
     ScaleBar scale_bar = ScaleBar::kOff;
+    std::optional<double>
+        polariser{};  // axis of a linear polariser before the camera, rad from the picture's right towards up; unset: none
     double shutter =
         0.0;  // of films: share of a frame's time for which light is gathered, [0, 1], about the frame's own time
     int sub_frames = 16;  // of which its light is then the mean

@@ -218,6 +218,8 @@ Faults check_disc(const Scene& scene, const World& world, const GivenKeys& given
     if (!(disc.inner < disc.outer))
         faults.push_back({given("disc.inner") ? "disc.inner" : "disc.outer",
                           fmt::format("inner = {} is not below outer = {}", disc.inner, disc.outer), "inner < outer"});
+    if (disc.polarisation.field == DiscField::kVector && length(disc.polarisation.vector) == 0.0)
+        faults.push_back({"disc.field_vector", "[0, 0, 0] has no direction", "three numbers, one of them not 0"});
     return faults;
 }
 

@@ -380,8 +380,7 @@ std::span<const SceneKey> scene_keys() {
     static const std::vector<SceneKey> keys = [] {
         std::vector<SceneKey> all(std::begin(kKeys), std::end(kKeys));
         append_body_keys(all);
-        for (const auto group : {light_features(), disc_features(), bodies_features(), medium_features(),
-                                 picture_features(), projection_features()})
+        for (const auto group : feature_groups())
             for (const Feature& feature : group) all.insert(all.end(), feature.keys.begin(), feature.keys.end());
         for (const Section& section : sections()) all.insert(all.end(), section.keys.begin(), section.keys.end());
         return all;

@@ -80,6 +80,7 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     for (const SlotText& filled : slot_texts(effects)) {
         defines.emplace_back(filled.define);
         delayed = delayed || filled.slot == Slot::kDiscGlow;
+        if (filled.slot == Slot::kDiscLight) defines.emplace_back("NEEDS_RISE");
     }
     if (delayed) defines.emplace_back("NEEDS_DELAY");
     const bool delay = effects.contains(Effect::kDelay);
@@ -188,6 +189,11 @@ std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Ou
     if (draws_picture(stage)) defines.emplace_back("NEEDS_FOOTPRINT");
     if (draws_picture(stage) && output == Output::kDisplay) defines.emplace_back("DISPLAY_ENCODE");
     if (draws_picture(stage) && output == Output::kLayers) defines.emplace_back("LAYERS");
+    const bool stokes =
+        draws_picture(stage) && !sky_alone && output == Output::kLayers && effects.contains(Effect::kPolarisation);
+    if (stokes) defines.emplace_back("NEEDS_STOKES");
+    if (stokes || (draws_picture(stage) && !sky_alone && effects.contains(Effect::kPolariser)))
+        for (const char* define : {"NEEDS_POLARISATION", "NEEDS_RISE"}) defines.emplace_back(define);
     for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
     return defines;
 }

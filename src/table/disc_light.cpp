@@ -99,6 +99,12 @@ Vec3 disc_velocity(const Spacetime& spacetime, const DiscMatterFlow& flow, doubl
     return {scale * u.u_t, scale * u.u_phi / (parts.straight ? lapse : 1.0), scale * u.u_r * g_rr};
 }
 
+std::array<double, 2> disc_lapses(const Spacetime& spacetime, double r, ShiftParts parts) {
+    const auto equator = spacetime.equator(r);
+    const double lapse = equator ? std::sqrt(std::max(equator->across2, 0.0)) / r : 1.0;
+    return {lapse, parts.straight ? 1.0 : lapse};
+}
+
 TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts) {
     const double horizon = spacetime.horizon_radius().value_or(0.0);
     const double from = std::max(inner, (1.0 + 1e-6) * horizon);
@@ -116,7 +122,9 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, 
         const double heat = flux[i] > 0.0 ? std::max(0.25 * std::log2(flux[i] / peak), kDark) : kDark;
         for (const double value : {heat, u.x, u.y, u.z}) row.texels.push_back(static_cast<float>(value));
         const double factor = scale / (parts.straight ? lapse : 1.0);
-        factors.insert(factors.end(), {static_cast<float>(factor), 0, 0, 0});
+        const auto lapses = disc_lapses(spacetime, radii[i], parts);
+        for (const double value : {factor, lapses[0], lapses[1], 1.0 / scale})
+            factors.push_back(static_cast<float>(value));
     }
     row.texels.insert(row.texels.end(), factors.begin(), factors.end());
     return row;

@@ -5,6 +5,7 @@
 // accretion rate, zero at the innermost stable orbit and inside:
 //     F(r) = -Omega' / (4 pi r (E - Omega L)^2)  integral from r_isco to r of (E - Omega L) L' dr.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "spacetime/circular_orbit.h"
@@ -31,12 +32,16 @@ double disc_temperature_K(double flux, double mass_suns, double rate_eddington);
 // parts: of g = g_gravity g_doppler, which observers at rest at the matter and at the camera split (docs/light.md). Without Doppler the
 // matter is as at rest, (1/sqrt(A), 0, 0); without gravity all three are times sqrt(A), the camera's own part being the frame's. straight: of rays of flat space,
 // whose momentum L at r is that of a direction L/r in the frame of matter at rest: u^phi over sqrt(A).
-// The second row, by the same cells: (factor, 0, 0, 0), by which such parts change a momentum over a frequency of the first row.
+// The second row, by the same cells: the factor by which such parts change a momentum over a frequency of the first row; both disc_lapses(); the
+// first row's velocities times this are those of the matter.
 inline constexpr int kDiscFlowCells = 1024, kDiscFlowRows = 2;
 struct ShiftParts {
     bool doppler = true, gravity = true, straight = false;
 };
 TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts = {});
+
+// For shaders/core/polarisation.glsl: sqrt(Delta)/r at the matter, without rotation sqrt(A), and of the light that it emits: 1 where that runs straight.
+std::array<double, 2> disc_lapses(const Spacetime& spacetime, double r, ShiftParts parts);
 
 // A texel's velocity of the first row: u^t, u^phi, g_rr u^r, by these parts. flow: of the spacetime.
 Vec3 disc_velocity(const Spacetime& spacetime, const DiscMatterFlow& flow, double r, ShiftParts parts);

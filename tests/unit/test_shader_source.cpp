@@ -144,6 +144,8 @@ const std::vector<Mark> kMarks = {
     {Effect::kPulse, {"pulse_room"}},
     {Effect::kInnerHorizon, {"inner_horizon_time("}},
     {Effect::kLimbDarkening, {"limb_darkening(", "disc_cosine(", "disc_light("}},
+    {Effect::kPolarisation, {"vec4 screen_real;", "vec4 polarisation;"}},
+    {Effect::kPolariser, {"disc_polarised(", "vec4 polariser;"}},
     {Effect::kMediumMotion, {"gas_moved("}},
     {medium_effect(MediumKind::kGrid), {"medium_texture", "grid_at(", "GRID_RING"}},
     {Effect::kMediumBlackBody, {}},  // gas has its shader too: see below
@@ -286,7 +288,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 80);
+    CHECK(members.size() == 84);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {
