@@ -71,8 +71,13 @@ Error of_ray(std::size_t ray, Error error) {
     return error;
 }
 
+struct GivenRays {
+    Columns columns;
+    cli::RayForm form;
+};
+
 // The columns that rays have, by name; others are left alone.
-Columns columns_of(const nb::dict& given, const Spacetime& spacetime) {
+GivenRays columns_of(const nb::dict& given, const Spacetime& spacetime) {
     Columns columns;
     std::array<bool, cli::kRayColumns> there{};
     for (const auto& [name, array] : given)
@@ -80,20 +85,20 @@ Columns columns_of(const nb::dict& given, const Spacetime& spacetime) {
             columns[*column] = std::make_unique<Column>(array);
             there[*column] = true;
         }
-    if (const auto reduced = cli::is_reduced_form(there); !reduced) {
-        Error error = reduced.error();
+    const auto form = cli::ray_form(there);
+    if (!form) {
+        Error error = form.error();
         error.file = "rays", error.key.clear();
         throw Refused(error);
     }
-    return columns;
+    return {std::move(columns), *form};
 }
 
-Result<std::vector<RayQuery>> queries_of(const Columns& columns, std::size_t count, const Spacetime& spacetime) {
+Result<std::vector<RayQuery>> queries_of(const GivenRays& given, std::size_t count, const Spacetime& spacetime) {
     std::vector<RayQuery> queries;
     queries.reserve(count);
-    const bool reduced = !columns[cli::kR];
-    for (ArrayFields fields(columns); fields.row < count; ++fields.row) {
-        auto query = cli::ray_query(fields, reduced, spacetime);
+    for (ArrayFields fields(given.columns); fields.row < count; ++fields.row) {
+        auto query = cli::ray_query(fields, given.form, spacetime);
         if (!query) return of_ray(fields.row, query.error());
         queries.push_back(*query);
     }
@@ -103,12 +108,9 @@ Result<std::vector<RayQuery>> queries_of(const Columns& columns, std::size_t cou
 // A row of the answer: fate and hit, 32 bits each, then doubles.
 class Rows {
 public:
-    Rows(std::uint8_t* data, int crossings, bool shifts, double unit)
-        : data_(data), crossings_(crossings), shifts_(shifts), unit_(unit) {}
-    static std::size_t doubles(int crossings, bool shifts) {
-        return 7 + static_cast<std::size_t>(crossings) * (shifts ? 3 : 2);
-    }
-    std::size_t bytes() const { return 8 * (1 + doubles(crossings_, shifts_)); }
+    Rows(std::uint8_t* data, int crossings, std::vector<cli::CrossingColumn> columns, double unit)
+        : data_(data), crossings_(crossings), columns_(std::move(columns)), unit_(unit) {}
+    std::size_t bytes() const { return 8 * (8 + static_cast<std::size_t>(crossings_) * columns_.size()); }
     void write(std::size_t row, const RayRecord& ray) const {
         const Fate fate = ray.fate == Fate::kHit && ray.hit == 0 ? Fate::kNoSky : ray.fate;
         const std::int32_t ends[] = {static_cast<std::int32_t>(fate), ray.hit};
@@ -119,12 +121,11 @@ public:
         for (const double value :
              {ray.theta_inf, ray.phi_inf, ray.angle, ray.delay / unit_, ray.g, ray.turn / unit_, ray.at / unit_})
             put(value);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(crossings_); ++k) {
-            const bool there = k < ray.crossings.size();
-            put(there ? ray.crossings[k].r / unit_ : kNotANumber);
-            put(there ? ray.crossings[k].phi : kNotANumber);
-            if (shifts_) put(there ? ray.crossings[k].g : kNotANumber);
-        }
+        for (std::size_t k = 0; k < static_cast<std::size_t>(crossings_); ++k)
+            for (const cli::CrossingColumn& column : columns_) {
+                const double value = k < ray.crossings.size() ? ray.crossings[k].*column.value : kNotANumber;
+                put(column.is_length ? value / unit_ : value);
+            }
     }
     void write_empty(std::size_t row) const {
         RayRecord none;
@@ -135,7 +136,7 @@ public:
 private:
     std::uint8_t* data_;
     int crossings_;
-    bool shifts_;
+    std::vector<cli::CrossingColumn> columns_;
     double unit_;
 };
 
@@ -144,14 +145,14 @@ using Bytes = nb::ndarray<std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::c
 void trace(const Scene& scene, const nb::dict& rays, const Bytes& out, const cli::TraceOptions& options,
            const nb::object& progress) {
     const auto spacetime = space_of(scene.spacetime).metric;
-    const Columns columns = columns_of(rays, *spacetime);
-    const Rows rows(out.data(), options.crossings, cli::has_matter(scene, *spacetime), spacetime->length_unit());
+    const GivenRays given = columns_of(rays, *spacetime);
+    const Rows rows(out.data(), options.crossings, cli::crossing_columns(scene, *spacetime), spacetime->length_unit());
     const std::size_t count = out.shape(0) / rows.bytes();
-    for (const auto& column : columns)
+    for (const auto& column : given.columns)
         if (column && column->rows() != count) throw Refused(bad_input("rays: columns of different lengths"));
     run(progress, [&](Watch& watch) -> Status {
         const cli::Listener listener = watch.listener();
-        TRY(queries, queries_of(columns, count, *spacetime));
+        TRY(queries, queries_of(given, count, *spacetime));
         for (std::size_t i = 0; i < count; ++i) rows.write_empty(i);
         std::size_t traced = 0;
         const cli::TraceOutput output{[&](std::size_t i, RayRecord&& record) { rows.write(i, record), ++traced; },
@@ -192,8 +193,14 @@ void add_trace(nb::module_& m) {
         nb::arg("scene"), nb::arg("rays"), nb::arg("out"), nb::arg("with_"), nb::arg("method"), nb::arg("context"),
         nb::arg("crossings"), nb::arg("progress").none());
     m.def(
-        "has_shifts", [](const Scene& scene) { return cli::has_matter(scene, *space_of(scene.spacetime).metric); },
-        nb::arg("scene"), "Whether crossings have g_k.");
+        "crossing_columns",
+        [](const Scene& scene) {
+            nb::list names;
+            for (const cli::CrossingColumn& column : cli::crossing_columns(scene, *space_of(scene.spacetime).metric))
+                names.append(std::string(column.name));
+            return names;
+        },
+        nb::arg("scene"), "What is listed of each crossing: r, phi, ...");
     m.def(
         "object_name", [](const Scene& scene, int hit) { return object_name(scene, hit); }, nb::arg("scene"),
         nb::arg("hit"), "What the number `hit` of ray data stands for: \"disc\", \"star\", a body's name.");

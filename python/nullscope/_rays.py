@@ -10,7 +10,7 @@ from ._scenes import scene as _scene
 
 Progress = Callable[[int, int], object] | None   # called with what is done and what there is in all
 
-_COLUMNS = ("r", "theta", "phi", "n_r", "n_theta", "n_phi", "frame", "q", "zeta0", "l0", "s", "at_angle")
+_COLUMNS = ("r", "theta", "phi", "n_r", "n_theta", "n_phi", "frame", "q", "zeta0", "l0", "s", "at_angle", "alpha", "beta")
 _NUMBERS = ("theta_inf", "phi_inf", "angle", "delay", "g", "turn", "at")
 
 
@@ -63,12 +63,14 @@ def trace(scene: SceneLike, rays: np.ndarray | Mapping, with_: str = "reference"
     """Traces light rays backward in time from where cameras are, as `nullscope trace` does (docs/ray-data.md).
 
     rays: a structured array, shape (n,), or a dict of arrays, shape (n,) or scalars. Columns r (r_s), theta, phi (rad) of the camera and
-    n_r, n_theta, n_phi, the view direction in its local frame, optionally frame ("static" or "rain"); or, without rotation, q, zeta0 (l0
-    in wormholes) and s; optionally at_angle (rad; NaN where nothing is asked). Arrays of float64 are read where they are.
+    n_r, n_theta, n_phi, the view direction in its local frame, optionally frame ("static" or "rain"); or alpha, beta (r_s, to
+    the right of the centre and up, as an observer at infinity sees it), theta and optionally phi; or, without rotation, q, zeta0 (l0 in
+    wormholes) and s; optionally at_angle (rad; NaN where nothing is asked). Arrays of float64 are read where they are.
     with_: "reference" (double precision, closed forms), "core64" or "core32" (the shader's code as C++), "gl" (the shader itself).
     crossings: how many crossings of the equatorial plane to list.
     Returns a structured array, shape (n,): fate (see Fate), hit (see fate_name), theta_inf, phi_inf, angle (rad), delay (r_s/c), g, turn,
-    at, then r_1, phi_1, ... (with a thermal disc g_1, ...). NaN where a value does not exist.
+    at, then r_1, phi_1, ... (with a thermal disc g_1, ..., with a polarised one chi_1, p_1, ...: angle of the electric vector from the right
+    towards up, rad, and polarised fraction). NaN where a value does not exist.
     """
     given = _scene(scene)
     columns, count = _columns(rays)
@@ -78,7 +80,7 @@ def trace(scene: SceneLike, rays: np.ndarray | Mapping, with_: str = "reference"
     for name, word in words.items():
         if not isinstance(word, str):
             raise _core.Error(f"{name}: {type(word).__name__} is of another kind; allowed: text")
-    each = ("r", "phi", "g") if _core.has_shifts(given) else ("r", "phi")
+    each = _core.crossing_columns(given)
     fields = [("fate", "i4"), ("hit", "i4")] + [(name, "f8") for name in _NUMBERS]
     fields += [(f"{name}_{k}", "f8") for k in range(1, crossings + 1) for name in each]
     out = np.empty(count, dtype=fields)

@@ -29,7 +29,7 @@ struct Header {
     int line = 0;
     std::size_t fields = 0;
     std::array<std::optional<std::size_t>, kRayColumns> at;  // field number of each known column
-    bool reduced = false;
+    RayForm form = RayForm::kGeneral;
 };
 
 Result<Header> read_header(const std::string& file, int line, std::string_view text, const Spacetime& spacetime) {
@@ -46,9 +46,9 @@ Result<Header> read_header(const std::string& file, int line, std::string_view t
         header.at[*column] = i;
         there[*column] = true;
     }
-    const auto reduced = is_reduced_form(there);
-    if (!reduced) return in_file(reduced.error(), file, line);
-    header.reduced = *reduced;
+    const auto form = ray_form(there);
+    if (!form) return in_file(form.error(), file, line);
+    header.form = *form;
     return header;
 }
 
@@ -75,7 +75,7 @@ Result<RayQuery> read_row(const std::string& file, int line, std::string_view te
     if (fields->size() != header.fields)
         return fault(file, line, "row", fmt::format("{} fields", fields->size()),
                      fmt::format("{}, as many as the header of line {} names", header.fields, header.line));
-    auto query = ray_query(CsvFields(header, *fields), header.reduced, spacetime);
+    auto query = ray_query(CsvFields(header, *fields), header.form, spacetime);
     if (!query) return in_file(query.error(), file, line);
     return query;
 }
@@ -121,18 +121,16 @@ Result<RayTable> read_rays(const std::string& path, const Spacetime& spacetime) 
 }
 
 std::string rays_text(const RayTable& table, const Scene& scene, const RayRecords& records, int crossings,
-                      double length_unit, bool shifts) {
+                      std::span<const CrossingColumn> columns, double length_unit) {
     std::string text = table.header + ",fate,theta_inf,phi_inf,angle,delay,g,turn,at";
-    for (int k = 1; k <= crossings; ++k) {
-        text += fmt::format(",r_{0},phi_{0}", k);
-        if (shifts) text += fmt::format(",g_{}", k);
-    }
+    for (int k = 1; k <= crossings; ++k)
+        for (const CrossingColumn& column : columns) text += fmt::format(",{}_{}", column.name, k);
     text += '\n';
-    const std::size_t columns = 8 + (shifts ? 3 : 2) * static_cast<std::size_t>(crossings);
+    const std::size_t fields = 8 + columns.size() * static_cast<std::size_t>(crossings);
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         text += table.rows[i].text;
         if (!records[i]) {
-            text += std::string(columns, ',') + '\n';
+            text += std::string(fields, ',') + '\n';
             continue;
         }
         const RayRecord& ray = *records[i];
@@ -140,12 +138,11 @@ std::string rays_text(const RayTable& table, const Scene& scene, const RayRecord
         for (const double value : {ray.theta_inf, ray.phi_inf, ray.angle, ray.delay / length_unit, ray.g,
                                    ray.turn / length_unit, ray.at / length_unit})
             append(text, value);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(crossings); ++k) {
-            const bool there = k < ray.crossings.size();
-            append(text, there ? ray.crossings[k].r / length_unit : kNotANumber);
-            append(text, there ? ray.crossings[k].phi : kNotANumber);
-            if (shifts) append(text, there ? ray.crossings[k].g : kNotANumber);
-        }
+        for (std::size_t k = 0; k < static_cast<std::size_t>(crossings); ++k)
+            for (const CrossingColumn& column : columns) {
+                const double value = k < ray.crossings.size() ? ray.crossings[k].*column.value : kNotANumber;
+                append(text, column.is_length ? value / length_unit : value);
+            }
         text += '\n';
     }
     return text;

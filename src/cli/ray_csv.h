@@ -2,11 +2,13 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.h"
+#include "command/ray_trace.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 #include "spacetime/spacetime.h"
@@ -38,10 +40,10 @@ Result<RayTable> parse_rays(std::string_view text, const std::string& file, cons
 // Of a row's ray: "FILE:LINE: what".
 Error ray_error(const RayTable& table, std::size_t row, const Error& error);
 
-// The rays' own columns, then what was found: fate, ..., r_1, phi_1, ..., with shifts g_1 after these. A row without a record gets
+// The rays' own columns, then what was found: fate, ..., at, then `columns` of each crossing: r_1, phi_1, ... A row without a record gets
 // empty fields.
 // scene: gives the names of bodies. Lengths are divided by length_unit (Spacetime::length_unit), by which reading has multiplied them.
 std::string rays_text(const RayTable& table, const Scene& scene, const RayRecords& records, int crossings,
-                      double length_unit = 1.0, bool shifts = false);
+                      std::span<const CrossingColumn> columns, double length_unit = 1.0);
 
 }  // namespace nullscope::cli

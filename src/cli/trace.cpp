@@ -35,8 +35,8 @@ Status run(const Options& options) {
     for (const std::string& note : {left_out_note(static_cast<std::size_t>(left_out), records.size(), options),
                                     no_places_note(*scene, **spacetime, table->queries, options)})
         if (!note.empty()) fmt::print(stderr, "nullscope: {}\n", note);
-    const std::string text = rays_text(*table, *scene, records, options.crossings, (*spacetime)->length_unit(),
-                                       has_matter(*scene, **spacetime));
+    const std::string text = rays_text(*table, *scene, records, options.crossings,
+                                       crossing_columns(*scene, **spacetime), (*spacetime)->length_unit());
     if (options.output.empty()) {
         std::fwrite(text.data(), 1, text.size(), stdout);
         return Done{};
@@ -52,8 +52,9 @@ void add_trace(Command& parent) {
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene; its metric and disc are used, its camera is not");
     required_option(command, "--rays", options.rays,
-                    "CSV with the columns r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s; optional at_angle; other "
-                    "columns are copied");
+                    "CSV with the columns r,theta,phi,n_r,n_theta,n_phi[,frame], or alpha,beta,theta[,phi] of an "
+                    "observer at infinity, or "
+                    "q,zeta0,s; optional at_angle; other columns are copied");
     command.add_option("-o,--output", &options.output, "File to write (default: standard output)");
     text_option(
         command, "--with", options.with,
@@ -64,9 +65,10 @@ void add_trace(Command& parent) {
     text_option(command, "--method", options.method,
                 "How --with gl traces rays: auto (= strip), strip, table[:SIZE[:LOOKUP]], closed-form, "
                 "integrate[:ORDER[:STEP]], euler:STEPS; core64 and core32 use strip, reference its own method");
-    number_option(
-        command, "--crossings", options.crossings, 0, 1000,
-        "Number of crossings of the equatorial plane to list: r_1, phi_1, ...; with a thermal disc also g_1, ...");
+    number_option(command, "--crossings", options.crossings, 0, 1000,
+                  "Number of crossings of the equatorial plane to list: r_1, phi_1, ...; with a thermal disc also g_1, "
+                  "..., with a polarised one "
+                  "chi_1, p_1, ...");
     context_option(command, options.context, "OpenGL context of --with gl: auto, egl, osmesa");
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "spacetime/spherical_metric.h"
 
@@ -24,9 +25,9 @@ std::string shown(std::string_view text) {
     return "\"" + out + (text.size() > kMost ? "\"..." : "\"");
 }
 
-std::string missing(const std::array<bool, kRayColumns>& there, RayColumn first, RayColumn last) {
+std::string missing(const std::array<bool, kRayColumns>& there, std::initializer_list<RayColumn> needed) {
     std::string list;
-    for (std::size_t c = first; c <= static_cast<std::size_t>(last); ++c)
+    for (const RayColumn c : needed)
         if (!there[c]) list += (list.empty() ? "" : ", ") + std::string(kRayColumnNames[c]);
     return list;
 }
@@ -101,6 +102,22 @@ void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
                    fmt::format("{}, or frame = rain", allowed_radii(spacetime)));
 }
 
+// Photons that reach the observer at alpha to the right and beta up of the centre have L_z = -alpha sin(theta) and p_theta = beta per unit of energy
+// there (Bardeen 1973).
+void read_at_infinity(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
+    constexpr double kFarthestOff = 1e4;  // r_s: squares of the ray's slope stay below roundings
+    constexpr std::string_view kPlace = "a place on the observer's screen, [-1e4, 1e4] r_s";
+    query.r = kFarObserver;
+    query.theta = row.number(kTheta, 0, M_PI, "theta in [0, pi]");
+    if (row.fields.given(kPhi)) query.phi = row.number(kPhi, -1e6, 1e6, "phi in [-1e6, 1e6] rad");
+    const double unit = spacetime.length_unit(), alpha = row.number(kAlpha, -kFarthestOff, kFarthestOff, kPlace) * unit,
+                 beta = row.number(kBeta, -kFarthestOff, kFarthestOff, kPlace) * unit;
+    query.n = normalized({-1.0, -beta / kFarObserver, alpha / kFarObserver});
+    if (!camera_can_rest(spacetime, kFarObserver) || std::fabs(spacetime.lapse_squared(kFarObserver) - 1.0) > 1e-6)
+        row.report(kAlpha, "this metric has no observer at infinity",
+                   "metrics that are flat there, or r and n_r, n_theta, n_phi");
+}
+
 }  // namespace
 
 std::optional<RayColumn> ray_column(std::string_view name, const Spacetime& spacetime) {
@@ -110,24 +127,35 @@ std::optional<RayColumn> ray_column(std::string_view name, const Spacetime& spac
     return static_cast<RayColumn>(known - kRayColumnNames.begin());
 }
 
-Result<bool> is_reduced_form(const std::array<bool, kRayColumns>& there) {
-    const std::string general = missing(there, kR, kNphi), reduced = missing(there, kQ, kS);
-    const std::string forms(kRayForms);
-    if (general.empty() && reduced.empty()) return bad_key("header", "columns of both forms of a ray", forms);
-    if (!general.empty() && !reduced.empty()) {
-        const bool meant_reduced = reduced.size() < std::string("q, zeta0, s").size();
-        return bad_key("header", "missing: " + (meant_reduced ? reduced : general), forms);
-    }
-    return reduced.empty();
+Result<RayForm> ray_form(const std::array<bool, kRayColumns>& there) {
+    struct Form {
+        RayForm form;
+        bool meant;  // a column of it alone is there
+        std::string missing;
+    };
+    const auto any = [&](std::initializer_list<RayColumn> columns) {
+        return std::ranges::any_of(columns, [&](RayColumn c) { return there[c]; });
+    };
+    const Form forms[] = {
+        {RayForm::kGeneral, any({kR, kNr, kNtheta, kNphi}), missing(there, {kR, kTheta, kPhi, kNr, kNtheta, kNphi})},
+        {RayForm::kAtInfinity, any({kAlpha, kBeta}), missing(there, {kAlpha, kBeta, kTheta})},
+        {RayForm::kReduced, any({kQ, kZeta0, kS}), missing(there, {kQ, kZeta0, kS})}};
+    if (std::ranges::count(forms, true, &Form::meant) > 1)
+        return bad_key("header", "columns of several forms of a ray", std::string(kRayForms));
+    const auto meant = std::ranges::find(forms, true, &Form::meant);
+    const Form& form = meant != std::end(forms) ? *meant : forms[0];
+    if (!form.missing.empty()) return bad_key("header", "missing: " + form.missing, std::string(kRayForms));
+    return form.form;
 }
 
-Result<RayQuery> ray_query(const RayFields& fields, bool reduced, const Spacetime& spacetime) {
+Result<RayQuery> ray_query(const RayFields& fields, RayForm form, const Spacetime& spacetime) {
     RowReader row{fields};
     RayQuery query;
-    if (reduced)
-        read_reduced(row, spacetime, query);
-    else
-        read_general(row, spacetime, query);
+    switch (form) {
+        case RayForm::kGeneral: read_general(row, spacetime, query); break;
+        case RayForm::kAtInfinity: read_at_infinity(row, spacetime, query); break;
+        case RayForm::kReduced: read_reduced(row, spacetime, query); break;
+    }
     if (fields.given(kAtAngle)) query.at_angle = row.number(kAtAngle, 0, 1e6, "an angle in [0, 1e6] rad, or nothing");
     if (row.error) return *row.error;
     return query;

@@ -11,17 +11,22 @@
 
 namespace nullscope::cli {
 
-enum RayColumn { kR, kTheta, kPhi, kNr, kNtheta, kNphi, kFrame, kQ, kZeta0, kS, kAtAngle, kRayColumns };
+enum RayColumn { kR, kTheta, kPhi, kNr, kNtheta, kNphi, kFrame, kQ, kZeta0, kS, kAtAngle, kAlpha, kBeta, kRayColumns };
 inline constexpr std::array<std::string_view, kRayColumns> kRayColumnNames = {
-    "r", "theta", "phi", "n_r", "n_theta", "n_phi", "frame", "q", "zeta0", "s", "at_angle"};
+    "r", "theta", "phi", "n_r", "n_theta", "n_phi", "frame", "q", "zeta0", "s", "at_angle", "alpha", "beta"};
 inline constexpr std::string_view kRayForms =
-    "r,theta,phi,n_r,n_theta,n_phi[,frame] or q,zeta0,s (wormholes: q,l0,s); either with at_angle";
+    "r,theta,phi,n_r,n_theta,n_phi[,frame] or alpha,beta,theta[,phi] or q,zeta0,s (wormholes: q,l0,s); each with "
+    "at_angle";
+
+// kAtInfinity: of an observer at infinity at theta and phi, as one that rests at kFarObserver: alpha, beta are off by 1/kFarObserver of themselves.
+enum class RayForm { kGeneral, kAtInfinity, kReduced };
+inline constexpr double kFarObserver = 1e9;  // r_s
 
 // The column of this name; nothing for others. Wormholes: l0 is zeta0's.
 std::optional<RayColumn> ray_column(std::string_view name, const Spacetime& spacetime);
 
-// Whether columns that are there make the reduced form of a ray. Errors: some are missing, or of both forms; key: "header".
-Result<bool> is_reduced_form(const std::array<bool, kRayColumns>& there);
+// The form of a ray that columns which are there make. Errors: some are missing, or of several forms; key: "header".
+Result<RayForm> ray_form(const std::array<bool, kRayColumns>& there);
 
 // The fields of one ray. All columns of its form are there.
 class RayFields {
@@ -35,6 +40,6 @@ protected:
 };
 
 // The view direction is normalised, lengths are in Spacetime::length_unit. Errors: the first fault, its column as key.
-Result<RayQuery> ray_query(const RayFields& fields, bool reduced, const Spacetime& spacetime);
+Result<RayQuery> ray_query(const RayFields& fields, RayForm form, const Spacetime& spacetime);
 
 }  // namespace nullscope::cli

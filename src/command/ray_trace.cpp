@@ -9,6 +9,7 @@
 #include "command/shader_rays.h"
 #include "observer/pose.h"
 #include "reference/disc_light.h"
+#include "reference/disc_polarisation.h"
 #include "reference/ray_plane.h"
 #include "reference/reference.h"
 #include "scene/projection.h"
@@ -18,6 +19,12 @@ namespace {
 
 // Windings before double precision cannot tell the ray from the critical one: about 12 half turns.
 constexpr int kAllCrossings = 40;
+
+// Whether the disc's matter moves and shines by itself.
+bool has_matter(const Scene& scene, const Spacetime& spacetime) {
+    return scene.disc && scene.disc->emission == DiscEmission::kThermal && spacetime.can_have_disc();
+}
+bool is_polarised(const Scene& scene) { return scene.disc->polarisation.by != Polarisation::kOff; }
 
 // Ends the ray on the scene's disc if that is opaque; everything along the light ray itself stays.
 void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record) {
@@ -35,16 +42,36 @@ void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record
     }
 }
 
+void add_polarisation(const reference::DiscPolarisation& polarised, const RayQuery& query, int most,
+                      RayRecord& record) {
+    if (query.orbit) return;
+    const int count = std::min(most, static_cast<int>(record.crossings.size()));
+    for (int k = 0; k < count; ++k) {
+        const auto found = polarised.at(query, k + 1);
+        if (!found) return;
+        RayRecord::Crossing& crossing = record.crossings[static_cast<std::size_t>(k)];
+        crossing.chi = found->angle, crossing.p = found->fraction;
+    }
+}
+
 Status trace_with_reference(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
                             int crossings, const TraceOutput& output) {
     const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
     TRY(metric, reference::make_metric(scene.spacetime));
     std::optional<reference::DiscLight> matter;
-    if (crossings > 0 && has_matter(scene, spacetime)) matter.emplace(**metric, *scene.disc, scene.light);
+    std::optional<reference::DiscPolarisation> polarised;
+    if (crossings > 0 && has_matter(scene, spacetime)) {
+        matter.emplace(**metric, *scene.disc, scene.light);
+        if (is_polarised(scene)) {
+            TRY(made, reference::DiscPolarisation::make(scene));
+            polarised.emplace(std::move(*made));
+        }
+    }
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const int listed = opaque ? std::max(crossings, kAllCrossings) : crossings;
         auto record = reference::trace_ray(scene, rays[i], listed, matter ? &*matter : nullptr);
         if (!record) return output.error(i, record.error());
+        if (polarised) add_polarisation(*polarised, rays[i], crossings, *record);
         if (opaque) stop_at_disc(*scene.disc, rays[i], *record);
         output.take(i, std::move(*record));
         output.done(1);
@@ -74,8 +101,14 @@ std::vector<RayQuery> rays_of(const CameraSpec& camera) {
     return rays;
 }
 
-bool has_matter(const Scene& scene, const Spacetime& spacetime) {
-    return scene.disc && scene.disc->emission == DiscEmission::kThermal && spacetime.can_have_disc();
+std::vector<CrossingColumn> crossing_columns(const Scene& scene, const Spacetime& spacetime) {
+    using Crossing = RayRecord::Crossing;
+    std::vector<CrossingColumn> columns = {{"r", &Crossing::r, true}, {"phi", &Crossing::phi, false}};
+    if (!has_matter(scene, spacetime)) return columns;
+    columns.push_back({"g", &Crossing::g, false});
+    if (is_polarised(scene))
+        columns.insert(columns.end(), {{"chi", &Crossing::chi, false}, {"p", &Crossing::p, false}});
+    return columns;
 }
 
 Status trace_rays(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
@@ -87,7 +120,8 @@ Status trace_rays(const Scene& scene, const Spacetime& spacetime, std::span<cons
     TRY(method, method_of(options));
     if (options.with == "reference") return trace_with_reference(scene, spacetime, rays, options.crossings, output);
     return trace_with_shader(scene, spacetime, rays,
-                             {options.with, *method, options.context, options.crossings, has_matter(scene, spacetime)},
+                             {options.with, *method, options.context, options.crossings, has_matter(scene, spacetime),
+                              has_matter(scene, spacetime) && is_polarised(scene)},
                              output);
 }
 

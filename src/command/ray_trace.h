@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -32,8 +33,13 @@ Status trace_rays(const Scene& scene, const Spacetime& spacetime, std::span<cons
 // Through the middles of a picture's pixels, row by row from the top, as an observer at rest sees them.
 std::vector<RayQuery> rays_of(const CameraSpec& camera);
 
-// Whether the disc's matter moves and shines by itself, so that crossings have a shift g_k.
-bool has_matter(const Scene& scene, const Spacetime& spacetime);
+// What is listed of each crossing, in this order: r and phi, of a disc whose matter moves and shines by itself g, of one that is polarised chi and p.
+struct CrossingColumn {
+    std::string_view name;  // r of r_1, r_2, ...
+    double RayRecord::Crossing::*value;
+    bool is_length;
+};
+std::vector<CrossingColumn> crossing_columns(const Scene& scene, const Spacetime& spacetime);
 
 // What is to be said of rays that the shader cannot trace: how many of how many; and of places that it does not compute. Empty: nothing.
 std::string left_out_note(std::size_t left_out, std::size_t of, const TraceOptions& options);

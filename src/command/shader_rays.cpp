@@ -127,6 +127,7 @@ struct Common {
     int crossings;
     bool planes, delays;   // planes: rays keep to one, and sweep an angle in it; delays: the shader knows them
     double shifts_beyond;  // r_s, the horizon's radius where crossings have a shift; else infinite
+    const PolarisationSpec* polarisation;  // of their light; or null
 };
 
 using Plane = std::optional<reference::RayPlane>;  // of rays that keep to one
@@ -159,7 +160,13 @@ void add_crossings(const Job& job, const RayNumbers& numbers, const ListedRay& r
         RayRecord::Crossing crossing{
             std::hypot(met.x, met.y),
             unwrapped(plane ? plane->azimuth(plane->crossing(number)) : job.start.phi, met.x, met.y)};
-        if (crossing.r > common.shifts_beyond && !job.reduced) crossing.g = common.start.g(numbers, met);
+        if (crossing.r > common.shifts_beyond && !job.reduced) {
+            crossing.g = common.start.g(numbers, met);
+            if (common.polarisation != nullptr) {
+                const auto light = common.start.polarised(*common.polarisation, numbers, job.start.n, met, number);
+                crossing.chi = 0.5 * std::arg(light), crossing.p = std::abs(light);
+            }
+        }
         record.crossings.push_back(crossing);
     }
 }
@@ -317,7 +324,9 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
         const auto now = rest.first(static_cast<std::size_t>(end - rest.begin()));
         TRY(ready, lister->prepare(view_along(drawn, now.front().start), crossings > 0 || places));
         const ListedStart start(lister->tables());
-        const Common common{start, crossings, planes, spacetime.knows_light_time(), shifts_beyond};
+        const Common common{start,         crossings,
+                            planes,        spacetime.knows_light_time(),
+                            shifts_beyond, run.polarised ? &scene.disc->polarisation : nullptr};
         Group(*lister, common, opaque && !planes, output).trace(now);
         rest = rest.subspan(now.size());
     }

@@ -16,6 +16,7 @@ struct ShaderRun {
     std::string context = "auto";  // of gl, as in open_session
     int crossings = 0;             // of the equatorial plane, to find
     bool shifts = false;           // and what frequency light has in the disc's matter there
+    bool polarised = false;        // and how it is polarised, in a scene with shifts
 };
 
 // A ray is left out whose camera cannot stand in a static frame outside the horizon (or lies beyond kFarthestCamera). Of a record these

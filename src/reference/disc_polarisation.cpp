@@ -1,10 +1,10 @@
 #include "reference/disc_polarisation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
 #include "observer/pose.h"
-#include "scene/projection.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::reference {
@@ -75,29 +75,41 @@ Result<DiscPolarisation> DiscPolarisation::make(const Scene& scene) {
     if (!scene.light.lensing)
         return bad_input("the reference carries no polarisation along straight light", "light.lensing = \"on\"");
     DiscPolarisation made;
-    made.camera_ = scene.camera, made.spec_ = scene.disc->polarisation;
-    if (!scene.light.aberration) made.camera_.velocity = {};
+    made.spec_ = scene.disc->polarisation, made.light_ = scene.light;
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     made.spacetime_ = std::move(*spacetime);
     TRY(metric, make_metric(scene.spacetime));
     made.metric_ = std::move(*metric);
-    TRY(pair, ingoing_hat_pair(*made.spacetime_, made.camera_));
-    made.tetrad_ = long_tetrad(*pair);
     made.carrying_ = carrying_metric(*made.spacetime_);
     if (!made.carrying_) return bad_input("the metric has no discs");
-    made.light_ = std::make_shared<const DiscLight>(*made.metric_, *scene.disc, scene.light);
+    made.matter_ = std::make_shared<const DiscLight>(*made.metric_, *scene.disc, scene.light);
     return made;
 }
 
-std::optional<Polarised> DiscPolarisation::at(double x, double y, int crossing) const {
-    return at(normalized(pixel_direction(camera_, x, y)), crossing);
+Result<CameraAxes> DiscPolarisation::axes_of(const CameraSpec& camera) const {
+    CameraAxes from{camera, {}};
+    if (!light_.aberration) from.camera.velocity = {};
+    TRY(pair, ingoing_hat_pair(*spacetime_, from.camera));
+    from.tetrad = long_tetrad(*pair);
+    return from;
 }
 
-std::optional<Polarised> DiscPolarisation::at(Vec3 direction, int crossing, Flow flow) const {
-    const auto axes = carried_axes(*carrying_, camera_, tetrad_, direction, crossing);
+std::optional<Polarised> DiscPolarisation::at(const RayQuery& query, int crossing) const {
+    CameraSpec camera;
+    camera.r = query.r, camera.theta = query.theta, camera.phi = query.phi;
+    camera.observer = query.frame == LocalFrame::kRain ? ObserverKind::kRain
+                      : spacetime_->rotates()          ? ObserverKind::kZamo
+                                                       : ObserverKind::kStatic;
+    const auto from = axes_of(camera);
+    if (!from) return {};
+    return at(*from, normalized(Vec3{query.n.z, -query.n.y, query.n.x}), crossing);
+}
+
+std::optional<Polarised> DiscPolarisation::at(const CameraAxes& from, Vec3 direction, int crossing, Flow flow) const {
+    const auto axes = carried_axes(*carrying_, from.camera, from.tetrad, direction, crossing);
     if (!axes) return {};
     const EquatorialPlace place(*carrying_, axes->place);
-    const DiscLight::Velocity v = flow == Flow::kCircle ? light_->circling(place.r()) : light_->velocity(place.r());
+    const DiscLight::Velocity v = flow == Flow::kCircle ? matter_->circling(place.r()) : matter_->velocity(place.r());
     const FourVector u = place.outer(v.t, v.r, v.phi);
     const Vec3 field = field_of(spec_);
     const FourVector b = sum(field.x, place.radial(), 1, sum(field.y, place.azimuthal(), -field.z, place.south()));
@@ -105,7 +117,7 @@ std::optional<Polarised> DiscPolarisation::at(Vec3 direction, int crossing, Flow
     const double right = volume(axes->right, u, axes->k, across), up = volume(axes->up, u, axes->k, across);
     const double cosine = std::abs(place.product(axes->k, place.south()) / place.product(axes->k, u));
     const double fraction = polarised_fraction(spec_).value_or(scattered_fraction(std::min(cosine, 1.0)));
-    return Polarised{place.r(), std::atan2(up, right), fraction};
+    return Polarised{place.r(), std::remainder(std::atan2(up, right), M_PI), fraction};
 }
 
 }  // namespace nullscope::reference

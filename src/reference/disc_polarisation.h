@@ -7,6 +7,7 @@
 #include "reference/carried_axes.h"
 #include "reference/disc_light.h"
 #include "reference/metric.h"
+#include "scene/ray.h"
 
 namespace nullscope::reference {
 
@@ -16,29 +17,36 @@ struct Polarised {
     double fraction;  // polarised, [0, 1]
 };
 
+// A camera and its e_0, right, up, backward in ingoing coordinates (v, r, theta, phi~/sin(theta)).
+struct CameraAxes {
+    CameraSpec camera;
+    Tetrad tetrad;
+};
+
 class DiscPolarisation {
 public:
-    // Errors: a scene without a disc that is polarised, a metric or camera that the reference does not take, light without lensing.
+    // The scene's camera is not asked for. Errors: a scene without a disc that is polarised, a metric that the reference does not take, light
+    // without lensing.
     static Result<DiscPolarisation> make(const Scene& scene);
+    // Errors: no such observer there.
+    Result<CameraAxes> axes_of(const CameraSpec& camera) const;
+
+    enum class Flow { kDisc, kCircle };  // kCircle: as hot spots move, on circles within the last stable one too
     // direction: where the photon comes from, along the camera's right, up and backward, unit. crossing: 1 for the first of the equatorial plane,
     // whatever the disc's radii. Nothing: there is none. Some milliseconds.
-    enum class Flow { kDisc, kCircle };  // kCircle: as hot spots move, on circles within the last stable one too
-    std::optional<Polarised> at(Vec3 direction, int crossing, Flow flow = Flow::kDisc) const;
-    std::optional<Polarised> at(double x, double y,
-                                int crossing) const;  // of a pixel position: column, row from the top
-
+    std::optional<Polarised> at(const CameraAxes& from, Vec3 direction, int crossing, Flow flow = Flow::kDisc) const;
+    // The same of a ray of the general form, whose camera looks at the centre.
+    std::optional<Polarised> at(const RayQuery& query, int crossing) const;
     const CarryingMetric& carrying() const { return *carrying_; }
-    const Tetrad& tetrad() const { return tetrad_; }
 
 private:
     DiscPolarisation() = default;
-    CameraSpec camera_;
     PolarisationSpec spec_;
+    LightSpec light_;
     std::shared_ptr<const Spacetime> spacetime_;
     std::shared_ptr<const Metric> metric_;
     std::shared_ptr<const CarryingMetric> carrying_;
-    std::shared_ptr<const DiscLight> light_;
-    Tetrad tetrad_{};
+    std::shared_ptr<const DiscLight> matter_;
 };
 
 }  // namespace nullscope::reference

@@ -56,6 +56,15 @@ double LightPath::ray_g(const FramePlan& plan, const FrameData& frame, const Ray
            std::fmax(frequency, kLeastFrequency);
 }
 
+// shaders/planar/disc.glsl, disc_photon
+PolarisedPhoton LightPath::photon_of(const FrameData& frame, const RayNumbers& ray, const ListedRay::Crossing& met,
+                                     int) const {
+    const double sine = ray.start.x, inverse_v = 1.0 / (frame.shift.y * (frame.shift.x + frame.shift.z * ray.start.z));
+    const Vec3 e{ray.radial.x, ray.radial.y, ray.radial.z}, m{ray.meridian.x, ray.meridian.y, ray.meridian.z};
+    const Vec3 momentum = -sine * inverse_v * cross(e, m), outward = normalized({met.x, met.y, 0.0});
+    return {1.0, momentum.z, sine * inverse_v * met.climb, -cross(momentum, outward).z};
+}
+
 std::unique_ptr<LightPath> make_light_path(const std::shared_ptr<const Spacetime>& light) {
     if (!light->bends_light()) return std::make_unique<StraightPath>();
     if (const AxialMetric* axial = light->axial())

@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "plan/frame_plan.h"
 #include "shadercore/core_trace.h"
+#include "shadercore/polarised_light.h"
 #include "shaderlib/method.h"
 #include "table/deflection_table.h"
 #include "table/ray_family.h"
@@ -41,6 +42,9 @@ public:
     // The camera's frequency over that in matter which such a ray meets in the equatorial plane. u: u^t, u^phi, g_rr u^r.
     virtual double ray_g(const FramePlan& plan, const FrameData& frame, const RayNumbers& ray,
                          const ListedRay::Crossing& met, Vec3 u) const;
+    // And that photon itself. number: which crossing it is, 1 for the first.
+    virtual PolarisedPhoton photon_of(const FrameData& frame, const RayNumbers& ray, const ListedRay::Crossing& met,
+                                      int number) const;
     virtual void write(const FramePlan&, FrameData&) const {}              // its own part of the uniform block
     virtual void give(const FramePlan& plan, CoreInput& input) const = 0;  // tables and kind, to the shader core as C++
 

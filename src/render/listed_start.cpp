@@ -3,12 +3,16 @@
 #include <cmath>
 
 #include "render/frame_numbers.h"
+#include "spacetime/axial_metric.h"
 
 namespace nullscope {
 
 ListedStart::ListedStart(const FrameTables& tables)
     : tables_(tables), frame_(frame_numbers(tables.plan(), tables.path(), {}, tables.ball_paths())), flow_() {
     if (tables.matter().can_have_disc()) flow_.emplace(tables.matter());
+    CameraSpec camera = tables.plan().scene.camera;
+    camera.yaw = camera.pitch = camera.roll = 0.0;
+    screen_ = screen_form(tables.matter(), camera, tables.plan().observer, true);
 }
 
 RayNumbers ListedStart::numbers(double theta, double phi, Vec3 n, double at_angle) const {
@@ -20,6 +24,17 @@ RayNumbers ListedStart::numbers(double theta, double phi, Vec3 n, double at_angl
 double ListedStart::g(const RayNumbers& ray, const ListedRay::Crossing& met) const {
     const Vec3 u = disc_velocity(tables_.matter(), *flow_, std::hypot(met.x, met.y), {});
     return tables_.path().ray_g(tables_.plan(), frame_, ray, met, u);
+}
+
+std::complex<double> ListedStart::polarised(const PolarisationSpec& spec, const RayNumbers& ray, Vec3 n,
+                                            const ListedRay::Crossing& met, int number) const {
+    const double r = std::hypot(met.x, met.y);
+    const Vec3 field = field_of(spec), u = disc_velocity(tables_.matter(), *flow_, r, {});
+    const AxialMetric* axial = tables_.matter().axial();
+    const PolarisedPlace place{
+        r, axial ? axial->a() : 0.0, disc_lapses(tables_.matter(), r, {})[0], u, {field.x, -field.z, field.y}};
+    return polarised_light(tables_.path().photon_of(frame_, ray, met, number), place, polarised_fraction(spec),
+                           screen_phase(screen_, {n.z, -n.y, -n.x}));
 }
 
 }  // namespace nullscope

@@ -1,7 +1,9 @@
 // Rays of a list that start as the camera of a frame does: what each is told, and what its crossings tell of the disc's matter.
 #pragma once
+#include <complex>
 #include <optional>
 
+#include "observer/screen_form.h"
 #include "render/frame_tables.h"
 #include "spacetime/circular_orbit.h"
 #include "table/disc_light.h"
@@ -19,8 +21,14 @@ public:
     // leaves out. Outside of a horizon.
     double g(const RayNumbers& ray, const ListedRay::Crossing& met) const;
 
+    // Q + iU over I of a disc's light there that is polarised so, on the screen of a camera that looks at the centre, north up. n: as numbers() was given it.
+    // number: which crossing it is, 1 for the first.
+    std::complex<double> polarised(const PolarisationSpec& spec, const RayNumbers& ray, Vec3 n,
+                                   const ListedRay::Crossing& met, int number) const;
+
 private:
     const FrameTables& tables_;
+    ScreenForm screen_;
     FrameData frame_;
     std::optional<DiscMatterFlow> flow_;  // where there may be discs
 };

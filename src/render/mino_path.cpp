@@ -39,6 +39,17 @@ double MinoPath::ray_g(const FramePlan&, const FrameData& frame, const RayNumber
     return 1.0 / std::fmax(energy * u.x - momentum * u.y - met.climb * u.z, kLeastMinoFrequency);
 }
 
+// The root of Carter's constant in the plane: p_theta^2 + cos^2(theta) (L^2/sin^2(theta) - a^2 E^2). A ray that has left upward comes down first.
+PolarisedPhoton MinoPath::photon_of(const FrameData& frame, const RayNumbers& ray, const ListedRay::Crossing& met,
+                                    int number) const {
+    const auto of = [&](const FrameVector& form) { return form.x + form.y * ray.ray.x + form.z * ray.ray.z; };
+    const double energy = -of(frame.spin_energy), across = -of(frame.spin_across),
+                 p_theta = frame.spin_energy.w * ray.ray.y, cosine = ray.start.y, a = metric_->a();
+    const double square = p_theta * p_theta + cosine * cosine * (across * across - a * a * energy * energy);
+    const bool above = cosine != 0.0 ? cosine > 0.0 : ray.ray.y < 0.0, down = above == (number % 2 == 1);
+    return {energy, across * ray.start.x, met.climb, std::sqrt(std::fmax(square, 0.0)) * (down ? -1.0 : 1.0)};
+}
+
 void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     const CameraSpec& camera = plan.scene.camera;
     const SpinForms forms = spin_forms(spin_place(*metric_, camera.r, camera.theta),

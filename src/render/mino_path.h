@@ -13,6 +13,8 @@ public:
     RayNumbers ray_numbers(const FramePlan& plan, double theta, double phi, Vec3 n) const override;
     double ray_g(const FramePlan& plan, const FrameData& frame, const RayNumbers& ray, const ListedRay::Crossing& met,
                  Vec3 u) const override;
+    PolarisedPhoton photon_of(const FrameData& frame, const RayNumbers& ray, const ListedRay::Crossing& met,
+                              int number) const override;
     void write(const FramePlan& plan, FrameData& frame) const override;
     void give(const FramePlan& plan, CoreInput& input) const override;
     bool finds_star_images() const override { return true; }

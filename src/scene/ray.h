@@ -50,6 +50,9 @@ struct RayRecord {
     struct Crossing {
         double r, phi;
         double g = kNotANumber;  // camera frequency over frequency in the disc's matter there; where it was asked for
+        // of the light of a polarised disc there: angle from the screen's right towards up, rad, (-pi/2, pi/2]; polarised fraction. Right is
+        // towards growing phi, up towards the north, for a camera that looks at the centre; the ray's own are turned with it by the shortest way.
+        double chi = kNotANumber, p = kNotANumber;
     };
     std::vector<Crossing>
         crossings;  // of the equatorial plane after leaving the camera, before the end (horizon included)

@@ -22,7 +22,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
             else
                 fuzz::must(query.r > 0 && std::fabs(length(query.n) - 1) < 1e-12, "a place and a unit direction");
         }
-        const std::string text = cli::rays_text(*table, {}, {table->rows.size(), std::nullopt}, 1);
+        const std::string text = cli::rays_text(*table, {}, {table->rows.size(), std::nullopt}, 1, {});
         const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
         fuzz::must(lines == table->rows.size() + 1, "a line out for every ray in");
     }

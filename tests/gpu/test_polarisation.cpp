@@ -1,9 +1,11 @@
 // Polarised light as the GPU draws it, against axes that the reference carries along the rays by integration.
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <random>
 
 #include "reference/disc_polarisation.h"
+#include "scene/projection.h"
 #include "support/gpu_session.h"
 
 namespace {
@@ -59,6 +61,8 @@ void compare_view(GpuSession& session, const Scene& scene, std::mt19937& random,
     constexpr int kPixels = 4;
     const auto exact = reference::DiscPolarisation::make(scene);
     REQUIRE(exact);
+    const auto from = exact->axes_of(scene.camera);
+    REQUIRE(from);
     REQUIRE(session.renderer->prepare(scene));
     const Image<float> stokes = draw_layers(*session.renderer).stokes;
     const auto intensity = [&](int x, int y) { return stokes.at(x, y)[0]; };
@@ -73,7 +77,7 @@ void compare_view(GpuSession& session, const Scene& scene, std::mt19937& random,
             continue;
         ++i;
         for (int crossing = 1; crossing <= 3; ++crossing) {
-            const auto told = exact->at(x + 0.5, y + 0.5, crossing);
+            const auto told = exact->at(*from, normalized(pixel_direction(scene.camera, x + 0.5, y + 0.5)), crossing);
             if (!told || told->r > scene.disc->outer) continue;
             if (told->r > 0.95 * scene.disc->outer || told->r < 1.1 * scene.disc->inner) break;
             const double q = stokes.at(x, y)[1] / intensity(x, y), u = stokes.at(x, y)[2] / intensity(x, y);
@@ -113,5 +117,117 @@ TEST_CASE("polarisation: angle and fraction are the reference's for any camera")
         CHECK(worst.pixels > by_depth(40, 400, 400));
         CHECK(worst.angle < kAngle);
         CHECK(worst.fraction < kFraction);
+    });
+}
+
+// Light of an observer at infinity at (alpha, beta) M, from matter on circular orbits at the first crossing (../unit/test_polarisation.cpp has the reference's): a
+// ring of hot spots, which go round within the last stable orbit too. From 1e6 r_s.
+TEST_CASE("polarisation: the shader's synchrotron light of matter on circular orbits") {
+    struct Row {
+        double spin, theta, alpha, beta, r;
+        double angle[3];  // field vertical, radial, toroidal
+    };
+    constexpr Row kRows[] = {{0, 60, 5, 3, 4.269185926, {33.475414, 122.536405, 25.143158}},
+                             {0.9, 60, 5, 3, 3.629599984, {36.946388, 120.894317, 3.517027}},
+                             {0.5, 80, -8, 2, 8.056922297, {177.484818, 70.289373, 110.819307}}};
+    constexpr double kPixel_M = 0.2;
+    constexpr int kSide = 201;
+    on_one_context([&](GpuSession& session) {
+        double worst = 0;
+        for (const Row& row : kRows)
+            for (const DiscField field : {DiscField::kVertical, DiscField::kRadial, DiscField::kToroidal}) {
+                Scene scene =
+                    polarised({row.spin == 0 ? "schwarzschild" : "kerr", {}}, Polarisation::kSynchrotron, field);
+                if (row.spin != 0) scene.spacetime.parameters["spin"] = row.spin;
+                scene.disc->opacity = 0, scene.disc->brightness = 0, scene.light.delay = false;
+                SpotSpec& spot = scene.spots.emplace_back();
+                spot.r = 0.5 * row.r, spot.size = 0.5, spot.count = 64;
+                CameraSpec& camera = scene.camera;
+                camera.r = 1e6, camera.theta = row.theta * kTurnDegree, camera.width = camera.height = kSide;
+                camera.plane_width = 0.5 * kPixel_M * kSide / camera.r, camera.focal_distance = 1;
+                if (row.spin != 0) camera.observer = ObserverKind::kZamo;
+                REQUIRE(session.renderer->prepare(scene));
+                const Image<float> stokes = draw_layers(*session.renderer).stokes;
+                const float* light = stokes.at(kSide / 2 + static_cast<int>(std::lround(row.alpha / kPixel_M)),
+                                               kSide / 2 - static_cast<int>(std::lround(row.beta / kPixel_M)));
+                REQUIRE(light[0] > 0);
+                const double found = 0.5 * std::atan2(light[2], light[1]),
+                             off = std::abs(
+                                 std::remainder(found - row.angle[static_cast<int>(field)] * kTurnDegree, M_PI));
+                CAPTURE(row.spin);
+                CAPTURE(static_cast<int>(field));
+                CHECK(off < 0.05 * kTurnDegree);
+                worst = std::max(worst, off);
+            }
+        fmt::print("polarisation of circular orbits from 1e6 r_s: within {:.2g} degrees\n", worst / kTurnDegree);
+    });
+}
+
+// Seen face-on nothing is singled out: the whole disc has no net polarisation; a ring in synchrotron light has the second azimuthal mode
+// (Palumbo, Wong and Prather 2020) of its field, counted from the picture's right as the angles are.
+TEST_CASE("polarisation: discs seen face-on") {
+    struct Mode {
+        DiscField field;
+        bool clockwise;
+        double degrees;
+    };
+    constexpr Mode kModes[] = {{DiscField::kToroidal, false, 0},      {DiscField::kRadial, false, 199.949},
+                               {DiscField::kVertical, false, 70.251}, {DiscField::kToroidal, true, 0},
+                               {DiscField::kRadial, true, 160.051},   {DiscField::kVertical, true, 289.749}};
+    on_one_context([&](GpuSession& session) {
+        for (const Mode& mode : kModes) {
+            Scene scene = polarised({"schwarzschild", {}}, Polarisation::kSynchrotron, mode.field);
+            scene.disc->opacity = 0, scene.disc->brightness = 0, scene.light.delay = false;
+            SpotSpec& spot = scene.spots.emplace_back();
+            spot.r = 3, spot.size = 0.02, spot.count = 64;
+            CameraSpec& camera = scene.camera;
+            camera.r = 1e4, camera.theta = mode.clockwise ? M_PI : 0, camera.width = camera.height = 200;
+            camera.plane_width = 9 / camera.r, camera.focal_distance = 1;
+            REQUIRE(session.renderer->prepare(scene));
+            const Image<float> stokes = draw_layers(*session.renderer).stokes;
+            std::complex<double> second, net;
+            double all = 0;
+            for (int y = 0; y < 200; ++y)
+                for (int x = 0; x < 200; ++x) {
+                    const float* light = stokes.at(x, y);
+                    const double phi = std::atan2(99.5 - y, x - 99.5), r = std::hypot(99.5 - y, x - 99.5);
+                    const std::complex<double> linear(light[1], light[2]);
+                    net += linear, all += light[0];
+                    if (r > 68) second += linear * std::polar(1.0, -2 * phi);  // the direct image
+                }
+            CAPTURE(mode.degrees);
+            CHECK(std::abs(net) < 1e-5 * all);
+            CHECK(std::abs(std::remainder(std::arg(second) / kTurnDegree - mode.degrees, 360)) < 0.05);
+        }
+    });
+}
+
+// A polariser lets half of unpolarised light through, of polarised light half of I + Q cos 2 psi + U sin 2 psi.
+TEST_CASE("polarisation: pictures through a polariser") {
+    on_one_context([&](GpuSession& session) {
+        Scene scene = polarised({"kerr", {{"spin", 0.9}}}, Polarisation::kSynchrotron, DiscField::kRadial);
+        scene.sky.kind = SkyKind::kPlain;
+        scene.camera.r = 20, scene.camera.width = 160, scene.camera.height = 90, scene.camera.theta = 1.2;
+        REQUIRE(session.renderer->prepare(scene));
+        const PictureLayers plain = draw_layers(*session.renderer);
+        double worst = 0, most = 0;
+        for (const double axis : {0.0, 0.6, M_PI / 2}) {
+            scene.picture.polariser = axis;
+            REQUIRE(session.renderer->prepare(scene));
+            const Image<float> passed = session.renderer->picture();
+            for (int y = 0; y < 90; ++y)
+                for (int x = 0; x < 160; ++x) {
+                    const auto luminance = [&](const float* p) {
+                        return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
+                    };
+                    const float* light = plain.stokes.at(x, y);
+                    const double expected =
+                        0.5 * (light[0] + light[1] * std::cos(2 * axis) + light[2] * std::sin(2 * axis));
+                    worst = std::max(worst, std::abs(luminance(passed.at(x, y)) - expected));
+                    most = std::max(most, static_cast<double>(light[0]));
+                }
+        }
+        fmt::print("through a polariser: light within {:.2g} of the brightest\n", worst / most);
+        CHECK(worst < 1e-5 * most);
     });
 }

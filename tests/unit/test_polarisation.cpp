@@ -55,7 +55,9 @@ TEST_CASE("polarisation: synchrotron light of matter on circular orbits, first c
             const auto polarisation = reference::DiscPolarisation::make(scene);
             REQUIRE(polarisation);
             const Vec3 seen{0.5 * row.alpha / kFar, 0.5 * row.beta / kFar, -1};
-            const auto found = polarisation->at(normalized(seen), 1, reference::DiscPolarisation::Flow::kCircle);
+            const auto from = polarisation->axes_of(scene.camera);
+            REQUIRE(from);
+            const auto found = polarisation->at(*from, normalized(seen), 1, reference::DiscPolarisation::Flow::kCircle);
             REQUIRE(found);
             CHECK(std::abs(2 * found->r / row.r - 1) < 1e-5);
             CHECK(apart(found->angle, angle * kChiDegree) < 0.01 * kChiDegree);
@@ -105,16 +107,17 @@ TEST_CASE("polarisation: Walker and Penrose's constant keeps along integrated ra
         REQUIRE(polarisation);
         const double width = 8 / camera.r;
         const Vec3 n = normalized({uniform(-width, width), uniform(-width, width), -1});
+        const auto from = polarisation->axes_of(camera);
+        REQUIRE(from);
         const reference::CarryingMetric& metric = polarisation->carrying();
-        const auto axes = reference::carried_axes(metric, camera, polarisation->tetrad(), n, 1);
+        const auto axes = reference::carried_axes(metric, camera, from->tetrad, n, 1);
         if (!axes) continue;
         ++rays;
         const double r = metric.radius(axes->place), by = 1 / (1 - n.z);
         const auto row = [&](const std::array<double, 4>& factors) {
             std::array<double, 4> v{};
             for (std::size_t m = 0; m < 4; ++m)
-                for (std::size_t j = 0; j < 4; ++j)
-                    v[m] += factors[j] * static_cast<double>(polarisation->tetrad()[j][m]);
+                for (std::size_t j = 0; j < 4; ++j) v[m] += factors[j] * static_cast<double>(from->tetrad[j][m]);
             v[3] /= std::sin(camera.theta);
             return v;
         };
