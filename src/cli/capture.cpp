@@ -27,11 +27,13 @@
 #include "command/arguments.h"
 #include "command/shot.h"
 #include "command/stereo_capture.h"
+#include "compare/stokes_measures.h"
 #include "image/picture_texts.h"
 #include "observer/path.h"
 #include "plan/shutter.h"
 #include "render/picture_bands.h"
 #include "scene/medium_dumps.h"
+#include "scene/projection.h"
 #include "scene/split.h"
 #include "scene/stereo.h"
 #include "scenefile/picture_scene.h"
@@ -148,8 +150,13 @@ Result<std::string> draw(const Job& job, Session* session, const Exposure& shown
     TRY(captured, drawn(shown));
     TRY(written, write_picture(file, origin, *captured, options));
     const auto flux = flux_unit(scene, job.split || scene.split || scene.camera.stereo != Stereo::kOff);
-    return flux && options.to_linear_light() ? captured->made_by + ", " + flux_words(captured->linear, *flux)
-                                             : captured->made_by;
+    std::string said = captured->made_by;
+    if (flux && options.to_linear_light()) said += ", " + flux_words(captured->linear, *flux);
+    if (!captured->stokes.empty()) {
+        const auto [x, y] = line_of_sight(scene.camera);
+        said += ", " + words_of(stokes_measures(captured->stokes, x, y));
+    }
+    return said;
 }
 
 // The scene beside it: of a file, or of the picture that the first is of.

@@ -85,6 +85,9 @@ Status write_exr(LightFile file) {
     for (int c = 0; c < 3; ++c) channels.channels[std::string(1, "RGB"[c])] = channel_of(light, c);
     if (captured.rays) add_ray_channels(*captured.rays, RayNames::kAlone, channels);
     if (captured.layers) add_layer_channels(*captured.layers, file.origin.scene, channels);
+    if (!captured.stokes.empty())
+        for (int c = 0; c < kStokesParameters; ++c)
+            channels.channels[std::string("stokes.") + "IQUV"[c]] = channel_of(captured.stokes, c);
     channels.attributes = std::move(file.words);
     return save_exr(file.name, channels);
 }

@@ -137,9 +137,6 @@ void add_layer_channels(const LayeredPicture& picture, const Scene& scene, Chann
         add_colours(layer.name + ".", layer.light, file);
         file.channels[layer.name + ".A"] = layer.share;
     }
-    if (!picture.layers.stokes.empty())
-        for (int c = 0; c < kStokesParameters; ++c)
-            file.channels[std::string("stokes.") + "IQUV"[c]] = channel_of(picture.layers.stokes, c);
     add_ray_channels(picture.rays, RayNames::kBesideLayers, file);
     file.channels["depth.affine"] = picture.depths.depth;
     if (!picture.depths.medium.empty()) file.channels["depth.medium"] = picture.depths.medium;

@@ -75,6 +75,13 @@ Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawO
         TRY(picture, picture8(session, shown, options.listener));
         captured.bytes = std::move(*picture);
     }
+    if (captured.layers) {
+        captured.stokes = captured.layers->layers.stokes;
+    } else if (options.stokes && options.st_map.empty() && is_polarised(shown.scene) &&
+               !is_drawn_in_bands(shown.scene)) {
+        TRY(ready, session.renderer->prepare(shown.scene));
+        captured.stokes = draw_stokes(*session.renderer);
+    }
     tell_notes(session, options.listener);
     if (options.raydata && !options.layers) captured.rays = session.renderer->ray_data();  // layers have them
     return captured;

@@ -21,6 +21,7 @@ struct Captured {
     Image<unsigned short> words;           // with Sample::kWord: the same
     std::optional<RayFrame> rays;          // with options.raydata
     std::optional<LayeredPicture> layers;  // with options.layers
+    Image<float> stokes;  // PictureLayers::stokes; with options.stokes or layers, of scenes whose light is polarised
     std::string made_by;
 };
 

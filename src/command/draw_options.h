@@ -24,7 +24,8 @@ struct DrawOptions {
     std::optional<int> samples;  // reference: a side of a pixel; else kSamples
     std::optional<int> largest_texture;
     bool raydata = false, layers = false;
-    std::string st_map;  // sky or plate: instead of colours
+    bool stokes = false;  // where light is polarised, of pictures that are not drawn in bands
+    std::string st_map;   // sky or plate: instead of colours
     Sample sample = Sample::kLight;
     bool in_bands = false;  // linear light of large pictures is drawn in bands
     Listener listener;

@@ -24,7 +24,6 @@ constexpr int kAllCrossings = 40;
 bool has_matter(const Scene& scene, const Spacetime& spacetime) {
     return scene.disc && scene.disc->emission == DiscEmission::kThermal && spacetime.can_have_disc();
 }
-bool is_polarised(const Scene& scene) { return scene.disc->polarisation.by != Polarisation::kOff; }
 
 // Ends the ray on the scene's disc if that is opaque; everything along the light ray itself stays.
 void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record) {

@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "annotate/marks.h"
+#include "annotate/ticks.h"
 #include "base/assets.h"
 #include "command/stereo_capture.h"
 #include "plan/shutter.h"
+#include "render/picture_layers.h"
 #include "scene/medium_dumps.h"
 #include "scene/split.h"
 #include "shaderlib/frontier.h"
@@ -25,6 +27,27 @@ void annotate(const Scene& scene, const std::optional<Halves>& split, const List
     if (!marks.note.empty() && !std::exchange(said, true)) listener.note(marks.note);
     if (!captured.bytes.empty()) lay_over(marks.marks, captured.bytes);
     if (!captured.words.empty()) lay_over(marks.marks, captured.words);
+}
+
+// Of the light of a picture as small as there are ticks.
+Status add_ticks(Session* session, const Scene& scene, const Listener& listener, Captured& captured) {
+    if (!scene.picture.ticks || !is_polarised(scene)) return Done{};
+    const int width = std::max(captured.bytes.width, captured.words.width),
+              height = std::max(captured.bytes.height, captured.words.height);
+    if (width == 0) return Done{};
+    if (session == nullptr) {
+        listener.note("picture.ticks are drawn by the shader only");
+        return Done{};
+    }
+    Scene small = scene;
+    const TickGrid grid = tick_grid(width, height);
+    small.camera.pixel_aspect *= static_cast<double>(width) * grid.rows / (static_cast<double>(height) * grid.columns);
+    small.camera.width = grid.columns, small.camera.height = grid.rows;
+    TRY(ready, session->renderer->prepare(small));
+    const std::vector<Mark> marks = tick_marks(draw_stokes(*session->renderer), width, height);
+    if (!captured.bytes.empty()) lay_over(marks, captured.bytes);
+    if (!captured.words.empty()) lay_over(marks, captured.words);
+    return Done{};
 }
 
 }  // namespace
@@ -103,12 +126,17 @@ Result<Captured> draw_shot(const Shot& shot, Session* session, const Exposure& s
     const auto half = [&](Scene Halves::*side) {
         return changed(shown, [&](const Scene& s) { return *split_of(s).*side; });
     };
-    TRY(captured, scene.camera.stereo != Stereo::kOff
-                      ? capture_stereo(session, shown, options)
-                      : capture_picture(session, split ? half(&Halves::left) : shown, options, next));
+    const bool stereo = scene.camera.stereo != Stereo::kOff;
+    TRY(captured, stereo ? capture_stereo(session, shown, options)
+                         : capture_picture(session, split ? half(&Halves::left) : shown, options, next));
+    if (!stereo) {
+        TRY(ticked, add_ticks(session, split ? split->left : scene, options.listener, *captured));
+    }
     if (split) {
         TRY(right, capture_picture(session, half(&Halves::right), options));
+        TRY(ticked, add_ticks(session, split->right, options.listener, *right));
         captured->linear = side_by_side(captured->linear, right->linear);
+        captured->stokes = {};  // of two pictures there are none
         captured->bytes = side_by_side(captured->bytes, right->bytes);
         captured->words = side_by_side(captured->words, right->words);
     }

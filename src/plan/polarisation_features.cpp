@@ -13,7 +13,6 @@ constexpr std::string_view kPolarised = "polarisation = \"scattering\" or \"sync
 
 bool is_thermal(const Scene& s) { return s.disc->emission == DiscEmission::kThermal; }
 bool is_of_field(const Scene& s) { return s.disc->polarisation.by == Polarisation::kSynchrotron; }
-bool is_polarised(const Scene& s) { return s.disc && is_thermal(s) && s.disc->polarisation.by != Polarisation::kOff; }
 void polarise(Scene& s) { s.disc->polarisation.by = Polarisation::kScattering; }
 
 std::vector<SceneKey> keys_of_polarisation() {
@@ -73,7 +72,13 @@ std::span<const Feature> polarisation_features() {
          {{"picture", "polariser", KeyType::kNumber, "deg", "", closed(-360.0, 360.0), "",
            "If set, the picture is seen through a linear polariser with this axis, counted from the picture's right "
            "towards up; it halves unpolarised light. Needs a disc.polarisation.",
-           [](auto& s) { return &s.picture.polariser; }, is_polarised, kPolarised}}},
+           [](auto& s) { return &s.picture.polariser; }, is_polarised, kPolarised},
+          on_off_key(
+              "picture", "ticks", "off",
+              "Whether ticks over the displayed picture lie along the electric vector of polarised light, as long as "
+              "its fraction; "
+              "needs a disc.polarisation, not in stereo pictures.",
+              [](auto& s) { return &s.picture.ticks; }, is_polarised, kPolarised)}},
     });
     return features;
 }

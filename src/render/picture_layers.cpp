@@ -62,4 +62,9 @@ PictureLayers draw_layers(Renderer& renderer) {
     return layers;
 }
 
+Image<float> draw_stokes(Renderer& renderer) {
+    const Image<float> light = renderer.layer(PictureLayer::kAll);
+    return stokes_of(renderer, light);
+}
+
 }  // namespace nullscope

@@ -35,4 +35,7 @@ struct PictureLayers {
 // lit, covered and refined by.
 PictureLayers draw_layers(Renderer& renderer);
 
+// PictureLayers::stokes alone. Cost: the picture twice, by a program of its own.
+Image<float> draw_stokes(Renderer& renderer);
+
 }  // namespace nullscope

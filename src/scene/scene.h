@@ -295,8 +295,9 @@ struct PictureSpec {
     int samples = 1;             // a pixel is the mean of samples x samples rays
     bool refine = true;          // where samples is 1: pixels that differ much from a neighbour have more rays
     ScaleBar scale_bar = ScaleBar::kOff;
-    std::optional<double>
-        polariser{};  // axis of a linear polariser before the camera, rad from the picture's right towards up; unset: none
+    bool ticks = false;  // along the electric vector of polarised light, over the displayed picture
+    // Axis of a linear polariser before the camera, rad from the picture's right towards up; unset: none.
+    std::optional<double> polariser{};
     double shutter =
         0.0;  // of films: share of a frame's time for which light is gathered, [0, 1], about the frame's own time
     int sub_frames = 16;  // of which its light is then the mean
@@ -371,5 +372,11 @@ struct Scene {
     // Coordinate time of the camera, r_s/c; of a falling camera v - r with v = t + r_*, which is regular on the horizon.
     double time = 0.0;
 };
+
+// Whether some of its light is polarised: a thermal disc's.
+inline bool is_polarised(const Scene& scene) {
+    return scene.disc && scene.disc->emission == DiscEmission::kThermal &&
+           scene.disc->polarisation.by != Polarisation::kOff;
+}
 
 }  // namespace nullscope

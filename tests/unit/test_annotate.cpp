@@ -14,6 +14,7 @@
 #include "annotate/annotations.h"
 #include "annotate/marks.h"
 #include "annotate/metric_words.h"
+#include "annotate/ticks.h"
 #include "observer/picture_scale.h"
 #include "observer/pose.h"
 #include "reference/reference.h"
@@ -322,4 +323,40 @@ TEST_CASE("annotations: without a font there is the line alone, and a note") {
     CHECK(made.marks.size() == 1);
     CHECK(made.note.find("fonts-dejavu-core") != std::string::npos);
     CHECK(make_marks({true, "", "", std::nullopt}, 640, 360).note == "");
+}
+
+TEST_CASE("annotations: ticks lie along the electric vector, as long as the polarised fraction") {
+    constexpr int kWidth = 440, kHeight = 220;
+    const TickGrid grid = tick_grid(kWidth, kHeight);
+    CHECK(grid.columns == 36);
+    CHECK(grid.rows == 18);
+    Image<float> stokes(grid.columns, grid.rows, 4);
+    const auto set = [&](int x, int y, float light, double fraction, double angle) {
+        float* to = stokes.at(x, y);
+        to[0] = light;
+        to[1] = static_cast<float>(light * fraction * std::cos(2 * angle));
+        to[2] = static_cast<float>(light * fraction * std::sin(2 * angle));
+    };
+    set(3, 2, 1.0f, 0.5, 0.4), set(5, 2, 0.5f, 0.25, -1.2), set(7, 2, 0.001f, 0.5, 0.4), set(9, 2, 1.0f, 0.0, 0.0);
+    const std::vector<Tick> ticks = ticks_of(stokes, kWidth, kHeight);
+    REQUIRE(ticks.size() == 2);  // what is dark, or not polarised, has none
+    CHECK(std::abs(std::atan2(ticks[0].up, ticks[0].right) - 0.4) < 1e-6);
+    CHECK(std::abs(std::atan2(ticks[1].up, ticks[1].right) + 1.2) < 1e-6);
+    const auto length = [](const Tick& tick) { return 2 * std::hypot(tick.right, tick.up); };
+    CHECK(std::abs(length(ticks[0]) / length(ticks[1]) - 2) < 1e-5);
+    CHECK(length(ticks[0]) < 12.0);
+    CHECK(std::abs(ticks[0].x - 3.5 * kWidth / grid.columns) < 1e-9);
+    // Drawn, it is white along its line, dark beside it, and clear away from it.
+    Image<unsigned char> picture(kWidth, kHeight, 3);
+    std::ranges::fill(picture.data, static_cast<unsigned char>(128));
+    lay_over(tick_marks(stokes, kWidth, kHeight), picture);
+    const auto at = [&](double along, double aside) {
+        const double c = std::cos(0.4), sn = std::sin(0.4);
+        return picture.at(static_cast<int>(ticks[0].x + along * c - aside * sn),
+                          static_cast<int>(ticks[0].y - along * sn - aside * c))[0];
+    };
+    CHECK(at(3, 0) > 180);
+    CHECK(at(-3, 0) > 180);
+    CHECK(at(0, 2) < 122);
+    CHECK(at(0, 12) == 128);
 }
