@@ -14,6 +14,7 @@ import html
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -86,7 +87,7 @@ def draw(binary, name, scene, to, folder):
         frame = min(int(FRAMES.get(name, 0.5) * frames), frames - 1)
         nullscope(binary, "capture", name, *how, "-o", folder / "picture%d.jpg", "--frames", f"{frame}:{frame + 1}")
         drawn = folder / f"picture{frame}.jpg"
-    os.replace(drawn, to)
+    shutil.move(drawn, to)  # also to another file system
 
 
 def cost(binary, name, folder):
