@@ -38,11 +38,16 @@ Image<float> in_jansky(const Image<float>& linear, const FluxUnit& unit) {
     return flux;
 }
 
-std::string flux_words(const Image<float>& linear, const FluxUnit& unit) {
+double flux_of(const Image<float>& linear, const FluxUnit& unit, const std::array<int, 4>& part) {
     double sum = 0;
-    for (int y = 0; y < linear.height; ++y)
-        for (int x = 0; x < linear.width; ++x) sum += linear.at(x, y)[unit.channel];
-    return fmt::format("{:.4g} Jy at {} GHz", unit.jansky * sum, unit.frequency_GHz);
+    for (int y = part[1]; y < part[3]; ++y)
+        for (int x = part[0]; x < part[2]; ++x) sum += linear.at(x, y)[unit.channel];
+    return unit.jansky * sum;
+}
+
+std::string flux_words(const Image<float>& linear, const FluxUnit& unit) {
+    return fmt::format("{:.4g} Jy at {} GHz", flux_of(linear, unit, {0, 0, linear.width, linear.height}),
+                       unit.frequency_GHz);
 }
 
 }  // namespace nullscope::cli

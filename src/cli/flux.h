@@ -1,5 +1,6 @@
 // The flux of a picture whose only light is matter seen at one frequency, about an object of known mass and distance.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 
@@ -18,6 +19,8 @@ struct FluxUnit {
 std::optional<FluxUnit> flux_unit(const Scene& scene, bool several);
 
 Image<float> in_jansky(const Image<float>& linear, const FluxUnit& unit);  // Jy a pixel, one channel
+// Jy of the pixels from x0, y0 to before x1, y1.
+double flux_of(const Image<float>& linear, const FluxUnit& unit, const std::array<int, 4>& part);
 std::string flux_words(const Image<float>& linear, const FluxUnit& unit);  // "0.4467 Jy at 230 GHz"
 
 }  // namespace nullscope::cli

@@ -9,6 +9,7 @@
 
 #include "base/progress.h"
 #include "cli/command.h"
+#include "cli/flux.h"
 #include "cli/table_file.h"
 #include "command/arguments.h"
 #include "command/capture_picture.h"
@@ -36,12 +37,14 @@ struct LightcurveOptions {
 struct CurvePoint {
     double time;
     std::array<double, 4> flux;  // luminance, red, green, blue, over the solid angle: 1 is a steradian of white
+    double jansky = 0.0;         // where the scene has a FluxUnit
 };
 
 bool dimmer(const CurvePoint& a, const CurvePoint& b) { return a.flux[0] < b.flux[0]; }
 
 // Sum over the region of light times the solid angle of each pixel.
-std::array<double, 4> flux_of(const Image<float>& picture, const CameraSpec& camera, const std::vector<int>& region) {
+std::array<double, 4> light_of(const Image<float>& picture, const CameraSpec& camera,
+                               const std::array<int, 4>& region) {
     std::array<double, 4> sum{};
     for (int y = region[1]; y < region[3]; ++y)
         for (int x = region[0]; x < region[2]; ++x) {
@@ -63,22 +66,27 @@ double period_of(const Scene& scene, double from) {
     return sphere != nullptr && sphere->amplitude > 0 ? sphere->period : 100.0;
 }
 
-constexpr const char* kCurveColumns =
-    "light against time. time: r_s/c; flux: luminance times solid angle (sr), white is 1";
+// What the columns mean, for people.
+std::string column_words(const std::optional<FluxUnit>& unit) {
+    std::string words = "light against time. time: r_s/c; flux: luminance times solid angle (sr), white is 1";
+    return unit ? words + fmt::format("; jansky: flux density at {} GHz, Jy", unit->frequency_GHz) : words;
+}
 
-std::string csv_of(const std::vector<CurvePoint>& curve) {
-    std::string text = "time,flux,red,green,blue\n";
+std::string csv_of(const std::vector<CurvePoint>& curve, bool jansky) {
+    std::string text = fmt::format("time,flux,red,green,blue{}\n", jansky ? ",jansky" : "");
     for (const CurvePoint& s : curve)
-        text +=
-            fmt::format("{:.17g},{:.9g},{:.9g},{:.9g},{:.9g}\n", s.time, s.flux[0], s.flux[1], s.flux[2], s.flux[3]);
+        text += fmt::format("{:.17g},{:.9g},{:.9g},{:.9g},{:.9g}{}\n", s.time, s.flux[0], s.flux[1], s.flux[2],
+                            s.flux[3], jansky ? fmt::format(",{:.9g}", s.jansky) : "");
     return text;
 }
 
-std::string svg_of(const Scene& scene, const std::vector<CurvePoint>& curve) {
+// The vertical axis in Jy, where there is a unit.
+std::string svg_of(const Scene& scene, const std::vector<CurvePoint>& curve, const std::optional<FluxUnit>& unit) {
     std::vector<std::array<double, 2>> points;
     points.reserve(curve.size());
-    for (const CurvePoint& s : curve) points.push_back({s.time, s.flux[0]});
-    return curve_plot(scene.name, "time, r_s/c", points);
+    for (const CurvePoint& s : curve) points.push_back({s.time, unit ? s.jansky : s.flux[0]});
+    const std::string title = unit ? fmt::format("{}: Jy at {} GHz", scene.name, unit->frequency_GHz) : scene.name;
+    return curve_plot(title, "time, r_s/c", points);
 }
 
 // The scene at options.steps times, the last included.
@@ -87,7 +95,7 @@ struct Curve {
     std::string drawn_by;
 };
 Result<Curve> curve_of(const LightcurveOptions& options, Scene scene, double from, double to,
-                       const std::vector<int>& region) {
+                       const std::array<int, 4>& region, const std::optional<FluxUnit>& unit) {
     std::optional<Session> session;
     std::optional<PictureDrawer> exact;
     if (options.renderer == "gl") {
@@ -114,14 +122,15 @@ Result<Curve> curve_of(const LightcurveOptions& options, Scene scene, double fro
     for (int i = 0; i < options.steps; ++i, progress.advance()) {
         scene.time = from + i * (to - from) / (options.steps - 1);
         TRY(picture, picture_of());
-        curve.samples.push_back({scene.time, flux_of(*picture, scene.camera, region)});
+        curve.samples.push_back(
+            {scene.time, light_of(*picture, scene.camera, region), unit ? flux_of(*picture, *unit, region) : 0.0});
     }
     return curve;
 }
 
-Result<std::vector<int>> region_of(const LightcurveOptions& options, const CameraSpec& camera) {
-    if (options.region.empty()) return std::vector<int>{0, 0, camera.width, camera.height};
-    const auto& r = options.region;
+Result<std::array<int, 4>> region_of(const LightcurveOptions& options, const CameraSpec& camera) {
+    if (options.region.empty()) return std::array<int, 4>{0, 0, camera.width, camera.height};
+    const std::array<int, 4> r{options.region[0], options.region[1], options.region[2], options.region[3]};
     if (r[0] >= 0 && r[1] >= 0 && r[0] < r[2] && r[1] < r[3] && r[2] <= camera.width && r[3] <= camera.height) return r;
     return bad_input(fmt::format("--region {} {} {} {} is not a part of the picture", r[0], r[1], r[2], r[3]),
                      fmt::format("X0 < X1 <= {}, Y0 < Y1 <= {}", camera.width, camera.height));
@@ -130,9 +139,10 @@ Result<std::vector<int>> region_of(const LightcurveOptions& options, const Camer
 Result<int> run_lightcurve(const LightcurveOptions& options) {
     TRY(scene, load_scene_sized(options.scene, options.size));
     if (!changes_with_time(*scene))
-        return bad_input(fmt::format("{}: nothing in it changes with time", options.scene),
-                         "a scene with disc.flow, [spot], sphere.amplitude, ball.motion, t in surface.shape or dumps "
-                         "as medium.file");
+        return bad_input(
+            fmt::format("{}: nothing in it changes with time", options.scene),
+            "a scene with disc.flow, [spot], sphere.amplitude, ball.motion, t in surface.shape or in formulas "
+            "of [medium], medium.flow, or dumps as medium.file");
     if (options.samples && options.renderer != "reference")
         return bad_input("--samples: the shader takes one ray a pixel", "with --renderer reference");
     if (options.renderer == "reference" && options.context != "auto")
@@ -144,15 +154,19 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
         for (const double time : {from, to})
             if (const auto fault = dump_time_fault(scene->medium->grid, time))
                 return bad_input(fmt::format("{}: {} {}", options.scene, fault->key, fault->what), fault->allowed);
-    TRY(curve, curve_of(options, *scene, from, to, *region));
+    const auto unit = flux_unit(*scene, scene->split || scene->camera.stereo != Stereo::kOff);
+    TRY(curve, curve_of(options, *scene, from, to, *region, unit));
     std::vector<double> times;
     for (const CurvePoint& point : curve->samples) times.push_back(point.time);
-    TRY(written, write_table(options.output + ".csv", csv_of(curve->samples), options.output + ".svg",
-                             svg_of(*scene, curve->samples),
-                             {*scene, options.scene, options.given.words(), curve->drawn_by, kCurveColumns, times}));
+    TRY(written,
+        write_table(options.output + ".csv", csv_of(curve->samples, unit.has_value()), options.output + ".svg",
+                    svg_of(*scene, curve->samples, unit),
+                    {*scene, options.scene, options.given.words(), curve->drawn_by, column_words(unit), times}));
     const auto peak = std::ranges::max_element(curve->samples, dimmer);
-    fmt::print("{0}.csv, {0}.svg: {1} times from {2:g} to {3:g} r_s/c; brightest at {4:g}, {5:.4g}\n", options.output,
-               options.steps, from, to, peak->time, peak->flux[0]);
+    const std::string most = unit ? fmt::format("{:.4g} Jy at {} GHz", peak->jansky, unit->frequency_GHz)
+                                  : fmt::format("{:.4g}", peak->flux[0]);
+    fmt::print("{0}.csv, {0}.svg: {1} times from {2:g} to {3:g} r_s/c; brightest at {4:g}, {5}\n", options.output,
+               options.steps, from, to, peak->time, most);
     return 0;
 }
 
