@@ -228,6 +228,8 @@ MUTANTS = [Mutant(*row) for row in [
      "static_cast<float>(*to[k] - *from[k]);", "static_cast<float>(*from[k] - 2.0 * *to[k]);", ("unit_tests", "compare: a frame's exact*")),
     ("flux-square", "a pixel's flux by its side", "src/cli/flux.cpp",
      "light * pixel * pixel / kJansky", "light * pixel / kJansky", ("cli", "test_astronomy.py")),
+    ("flux-region", "the flux of a region without its last column", "src/cli/flux.cpp",
+     "x < part[2]", "x < part[2] - 1", ("cli", "test_matter_looks.py")),
     ("grid-turn", "a file's azimuths are Boyer and Lindquist's", "shaders/mino/medium.glsl",
      "turned -= GRID_KERR_SCHILD * spin_winding(ray, y.w, spin_fine_at(segment.arc, s, y.w));", "turned -= 0.0;", ("gpu_tests", "medium grid*")),
     ("grid-fall", "matter of a file falls more slowly next to the horizon", "shaders/medium/grid.glsl",
