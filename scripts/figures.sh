@@ -71,6 +71,7 @@ doppler() {
 }
 drawn figures/doppler.jpg doppler
 drawn figures/inside.jpg picture figures/inside.jpg inside-the-hole 960x540
+drawn figures/swirl.jpg picture figures/swirl.jpg m87-swirl 960x540
 # docs/paper.md, dome.md, own-metric.md, own-effect.md
 drawn figures/m87.jpg picture figures/m87.jpg m87 960x540
 drawn figures/dome.jpg picture figures/dome.jpg dome 640x640
