@@ -41,7 +41,7 @@ struct CaptureOptions : DrawOptions {
         DrawOptions options = *this;
         options.sample = format() != nullptr ? format()->sample : Sample::kByte;
         options.in_bands = !to_exr();  // its bands go straight into the file
-        options.stokes = !half && !to_film() && (to_exr() || to_one_picture());
+        options.stokes = !half && !to_film() && (to_linear_light() || to_one_picture());
         return options;
     }
 };

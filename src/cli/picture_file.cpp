@@ -56,6 +56,22 @@ FitsHeader header_of(const PictureOrigin& origin, const Captured& captured, cons
     return header;
 }
 
+Image<float> luminance_of(const Image<float>& light) {
+    Image<float> luminance(light.width, light.height, 1);
+    for (std::size_t i = 0; i < luminance.data.size(); ++i) {
+        const float* rgb = &light.data[3 * i];
+        luminance.data[i] = 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
+    }
+    return luminance;
+}
+
+// Angles from north, which is up, through east, left, instead of from right towards up: a quarter turn less, the same sense.
+Image<float> turned_to_north(Image<float> stokes) {
+    for (std::size_t i = 0; i < stokes.data.size(); i += kStokesParameters)
+        stokes.data[i + 1] = -stokes.data[i + 1], stokes.data[i + 2] = -stokes.data[i + 2];
+    return stokes;
+}
+
 // A file of linear light, which says more of its scene than words.
 struct LightFile {
     const std::string& name;
@@ -69,8 +85,10 @@ Status write_fits(LightFile file) {
     const Scene& scene = file.origin.scene;
     const bool several = !file.options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
     const auto flux = flux_unit(scene, several);
-    return save_fits(file.name, flux ? in_jansky(file.captured.linear, *flux) : file.captured.linear,
-                     header_of(file.origin, file.captured, flux, several, std::move(file.words)));
+    const FitsHeader header = header_of(file.origin, file.captured, flux, several, std::move(file.words));
+    if (flux) return save_fits(file.name, in_jansky(file.captured.linear, *flux), header);
+    const Image<float>&light = file.captured.linear, &stokes = file.captured.stokes;
+    return save_fits(file.name, stokes.empty() ? luminance_of(light) : turned_to_north(stokes), header, light);
 }
 
 Status write_exr(LightFile file) {

@@ -89,30 +89,52 @@ void write_card(MemoryFile& to, const FitsCard& card) {
         fits_write_key_longstr(to.file(), key, ascii(std::get<std::string>(card.value)).c_str(), words, to.status());
 }
 
-void write_header(MemoryFile& to, const Image<float>& image, const FitsHeader& header,
-                  const std::vector<std::string>& history) {
+void write_header(MemoryFile& to, const Image<float>& image, const FitsHeader& header, std::string_view name) {
     std::array<long, 3> sides = {image.width, image.height, image.channels};
     fits_create_img(to.file(), FLOAT_IMG, image.channels == 1 ? 2 : 3, sides.data(), to.status());
+    if (!name.empty()) write_card(to, {"EXTNAME", std::string(name), "Rec. 709 primary, linear light"});
     write_card(to, {"BUNIT", header.unit, header.unit_comment});
-    if (image.channels == 3) {
-        write_card(to, {"CTYPE3", "RGB", "red, green, blue: Rec. 709"});
+    if (image.channels == 4) {
+        write_card(to, {"CTYPE3", "STOKES", "I, Q, U, V; angles from north through east"});
         for (const char* key : {"CRPIX3", "CRVAL3", "CDELT3"}) write_card(to, {key, 1.0, ""});
     }
     for (const FitsCard& card : header.cards) write_card(to, card);
     for (const std::string& comment : header.comments)
         fits_write_comment(to.file(), ascii(comment).c_str(), to.status());
-    for (const std::string& card : history) fits_write_history(to.file(), card.c_str(), to.status());
 }
 
-void write_planes(MemoryFile& to, const Image<float>& image) {
-    std::vector<float> plane(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-    for (int channel = 0; channel < image.channels; ++channel) {
-        auto at = plane.begin();
-        for (int y = image.height - 1; y >= 0; --y)
-            for (int x = 0; x < image.width; ++x) *at++ = image.at(x, y)[channel];
-        const auto count = static_cast<LONGLONG>(plane.size());
-        fits_write_img_flt(to.file(), 1, channel * count + 1, count, plane.data(), to.status());
-    }
+// One channel: the bottom row first.
+void write_plane(MemoryFile& to, const Image<float>& image, int channel, int plane) {
+    std::vector<float> values;
+    values.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    for (int y = image.height - 1; y >= 0; --y)
+        for (int x = 0; x < image.width; ++x) values.push_back(image.at(x, y)[channel]);
+    const auto count = static_cast<LONGLONG>(values.size());
+    fits_write_img_flt(to.file(), 1, plane * count + 1, count, values.data(), to.status());
+}
+
+// DATASUM and CHECKSUM (FITS Standard 4.0, appendix J) of the part that is written, with comments that have no date, as CFITSIO's own have.
+void write_checksum(MemoryFile& to) {
+    constexpr const char *kSum = "CHECKSUM", *kDataSum = "DATASUM";
+    write_card(to, {kSum, std::string(16, '0'), "of this part: its 32-bit words add up to -0"});
+    write_card(to, {kDataSum, std::string("0"), "of its data"});
+    unsigned long data = 0, all = 0;
+    const auto add_up = [&] {
+        fits_flush_file(to.file(), to.status());  // with the header's end
+        fits_get_chksum(to.file(), &data, &all, to.status());
+    };
+    add_up();
+    fits_modify_key_str(to.file(), kDataSum, fmt::format("{}", data).c_str(), "&", to.status());
+    add_up();
+    std::array<char, 17> encoded{};
+    constexpr int kComplement = 1;
+    fits_encode_chksum(all, kComplement, encoded.data());
+    fits_modify_key_str(to.file(), kSum, encoded.data(), "&", to.status());
+}
+
+bool has_size(const Image<float>& image) {
+    const auto side = [](int n) { return static_cast<std::size_t>(std::max(n, 0)); };
+    return !image.data.empty() && image.data.size() == side(image.width) * side(image.height) * side(image.channels);
 }
 
 // HISTORY cards of the primary header.
@@ -132,24 +154,36 @@ Result<Texts> fits_texts_of(std::istream& file) {
 
 }  // namespace
 
-Status save_fits(const std::filesystem::path& path, const Image<float>& image, const FitsHeader& header) {
+Status save_fits(const std::filesystem::path& path, const Image<float>& image, const FitsHeader& header,
+                 const Image<float>& colours) {
     const auto invalid = [&](const std::string& reason) {
         return failed(fmt::format("cannot write '{}': {}", path.string(), reason));
     };
-    const std::size_t values = static_cast<std::size_t>(std::max(image.width, 0)) *
-                               static_cast<std::size_t>(std::max(image.height, 0)) *
-                               static_cast<std::size_t>(std::max(image.channels, 0));
-    if (values == 0 || (image.channels != 1 && image.channels != 3) || image.data.size() != values)
+    if (!has_size(image) || (image.channels != 1 && image.channels != 4))
         return invalid(
             fmt::format("{} x {} pixels of {} channels are no FITS image", image.width, image.height, image.channels));
+    if (!colours.empty() &&
+        (!has_size(colours) || colours.channels != 3 || colours.width != image.width || colours.height != image.height))
+        return invalid("its colours are no picture of the same size");
     for (const FitsCard& card : header.cards)
         if (!is_standard(card)) return invalid(fmt::format("'{}' is no keyword with a value", card.keyword));
     constexpr std::size_t kUsualHeader = 4 * kBlock;
     const std::vector<std::string> history = history_cards(header.texts);
-    const std::size_t bytes_wanted = kUsualHeader + kCard * history.size() + values * sizeof(float) + kBlock;
+    const std::size_t parts = colours.empty() ? 1 : 4;
+    const std::size_t bytes_wanted = parts * (kUsualHeader + kBlock) + kCard * history.size() +
+                                     (image.data.size() + colours.data.size()) * sizeof(float);
     MemoryFile file((bytes_wanted / kBlock + 1) * kBlock);
-    write_header(file, image, header, history);
-    write_planes(file, image);
+    write_header(file, image, header, "");
+    for (const std::string& card : history) fits_write_history(file.file(), card.c_str(), file.status());
+    for (int channel = 0; channel < image.channels; ++channel) write_plane(file, image, channel, channel);
+    write_checksum(file);
+    const Image<float> one(colours.width, colours.height, 1);
+    for (int c = 0; c < colours.channels && !colours.empty(); ++c) {
+        constexpr std::array<std::string_view, 3> kNames = {"RED", "GREEN", "BLUE"};
+        write_header(file, one, header, kNames[static_cast<std::size_t>(c)]);
+        write_plane(file, colours, c, 0);
+        write_checksum(file);
+    }
     const std::string_view bytes = file.finish();
     if (*file.status() != 0) return invalid("CFITSIO: " + file.reason());
     return write_text_atomically(path, bytes);

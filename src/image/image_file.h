@@ -71,10 +71,12 @@ struct FitsHeader {
     std::vector<std::string> comments{};         // lines of at most 72 characters
     std::map<std::string, std::string> texts{};  // what the file says of itself: HISTORY cards (image/picture_texts.h)
 };
-// Floats of 32 bits, bottom row first, as FITS has them: red, green and blue as three planes, or one channel as one plane. The file has no
-// date: the same picture is the same file. Holds it twice more in memory. Errors: other numbers of channels, other
-// keywords, numbers that are not finite, what CFITSIO and the system say.
-Status save_fits(const std::filesystem::path& path, const Image<float>& image, const FitsHeader& header);
+// Floats of 32 bits, bottom row first, as FITS has them. image: one channel, which is one plane, or the four Stokes parameters I, Q, U, V, as planes of
+// an axis STOKES. colours: empty, or three channels of the same size, which are the extensions RED, GREEN and BLUE; these have the header's unit and
+// cards too. Every part has DATASUM and CHECKSUM. The file has no date: the same picture is the same file. Holds it twice more in memory. Errors: other
+// numbers of channels, other keywords, numbers that are not finite, what CFITSIO and the system say.
+Status save_fits(const std::filesystem::path& path, const Image<float>& image, const FitsHeader& header,
+                 const Image<float>& colours = {});
 
 // Display encoding of one linear component (IEC 61966-2-1), clamped to [0, 1].
 float srgb_from_linear(float linear);

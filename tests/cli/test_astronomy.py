@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """FITS files and profiles: the light of the EXR, and the scale that theory gives the shadow of M87* and Sgr A*."""
+import cmath
 import csv
 import math
 import re
@@ -32,21 +33,37 @@ SHADOW_M = 2 * math.sqrt(27)     # its diameter, in GM/c^2
 EDGE = 1e-4
 
 
+def read_parts(data):
+    """Of each part of a file of one picture: cards (keyword -> value) and planes of rows, from the top."""
+    parts, at = [], 0
+    while at < len(data):
+        cards = {}
+        while not data[at:at + 80].startswith(b"END "):
+            card = data[at:at + 80].decode("ascii")
+            if card[8:10] == "= ":
+                text = re.match(r"'((?:[^']|'')*)'", card[10:])
+                value = card[10:].split("/")[0].strip()
+                cards[card[:8].strip()] = text.group(1).replace("''", "'").strip() if text else \
+                    value == "T" if value in "TF" else float(value) if re.search("[.E]", value) else int(value)
+            at += 80
+        at = -(-(at + 80) // 2880) * 2880
+        width, height, planes = cards["NAXIS1"], cards["NAXIS2"], cards.get("NAXIS3", 1)
+        values = struct.unpack_from(f">{width * height * planes}f", data, at)
+        parts.append((cards, [[values[(plane * height + y) * width:][:width] for y in reversed(range(height))] for plane in range(planes)]))
+        at += -(-4 * width * height * planes // 2880) * 2880
+    return parts
+
+
 def read_fits(data):
-    """Cards (keyword -> value) and planes of rows, from the top, of a file of one picture."""
-    cards, at = {}, 0
-    while not data[at:at + 80].startswith(b"END "):
-        card = data[at:at + 80].decode("ascii")
-        if card[8:10] == "= ":
-            text = re.match(r"'((?:[^']|'')*)'", card[10:])
-            value = card[10:].split("/")[0].strip()
-            cards[card[:8].strip()] = text.group(1).replace("''", "'").strip() if text else \
-                value == "T" if value in "TF" else float(value) if re.search("[.E]", value) else int(value)
-        at += 80
-    at = -(-(at + 80) // 2880) * 2880
-    width, height, planes = cards["NAXIS1"], cards["NAXIS2"], cards.get("NAXIS3", 1)
-    values = struct.unpack_from(f">{width * height * planes}f", data, at)
-    return cards, [[values[(plane * height + y) * width:][:width] for y in reversed(range(height))] for plane in range(planes)]
+    return read_parts(data)[0]
+
+
+def checksum(data):
+    """Of 32-bit words by ones' complement, which is -0 of every part (FITS Standard 4.0, appendix J)."""
+    total = sum(struct.unpack(f">{len(data) // 4}I", data))
+    while total >> 32:
+        total = (total & 0xffffffff) + (total >> 32)
+    return total
 
 
 def table(path):
@@ -57,18 +74,49 @@ def table(path):
 class Fits(support.CliTest):
     def fits(self, scene, *options, name="a.fits"):
         self.run_nullscope("capture", scene, "-o", name, *options)
-        return read_fits((self.folder / name).read_bytes())
+        self.data = (self.folder / name).read_bytes()
+        self.assertEqual(checksum(self.data), 0xffffffff)
+        parts = read_parts(self.data)
+        self.colours = {cards["EXTNAME"]: planes[0] for cards, planes in parts[1:]}
+        return parts[0]
 
     def test_the_light_is_the_exr_s(self):
         cards, planes = self.fits("m87", "--size", "64x36")
         self.run_nullscope("capture", "m87", "--size", "64x36", "-o", "a.exr")
         exr = support.read_exr((self.folder / "a.exr").read_bytes())
-        self.assertEqual((cards["BITPIX"], cards["NAXIS"], cards["CTYPE3"], cards["BUNIT"]), (-32, 3, "RGB", ""))
-        for plane, channel in zip(planes, "RGB"):
+        self.assertEqual((cards["BITPIX"], cards["NAXIS"], cards["BUNIT"]), (-32, 2, ""))
+        luminance = [[0.2126 * r + 0.7152 * g + 0.0722 * b for r, g, b in zip(*rows)] for rows in zip(exr["R"], exr["G"], exr["B"])]
+        for row, meant in zip(planes[0], luminance):
+            for value, light in zip(row, meant):
+                self.assertAlmostEqual(value, light, delta=1e-6 * (1 + light))
+        for name, channel in {"RED": "R", "GREEN": "G", "BLUE": "B"}.items():
+            plane = self.colours[name]
             flux, meant = (sum(map(math.fsum, rows)) for rows in (plane, exr[channel]))
             self.assertGreater(meant, 0)
             self.assertLess(abs(flux / meant - 1), 1e-6)
             self.assertEqual([tuple(row) for row in plane], [tuple(row) for row in exr[channel]], "rows in their order")
+
+    def test_stokes_planes_are_the_exr_s_from_north_through_east(self):
+        cards, planes = self.fits("m87-swirl", "--size", "64x36")
+        said = self.run_nullscope("capture", "m87-swirl", "--size", "64x36", "-o", "a.exr").out
+        exr = support.read_exr((self.folder / "a.exr").read_bytes())
+        self.assertEqual((cards["NAXIS3"], cards["CTYPE3"], cards["CRVAL3"], cards["CDELT3"], cards["CRPIX3"]), (4, "STOKES", 1, 1, 1))
+        for plane, channel, sign in zip(planes, "IQUV", (1, -1, -1, 1)):   # a position angle is an angle from the picture's right less a quarter turn
+            self.assertEqual([tuple(row) for row in plane], [tuple(sign * value for value in row) for row in exr["stokes." + channel]])
+        # beta_2, by the header's coordinates: angles from north (up) through east (left).
+        light, net, second, resolved = 0.0, 0j, 0j, 0.0
+        for y, rows in enumerate(zip(*planes[:3])):
+            for x, (i, q, u) in enumerate(zip(*rows)):
+                east = (x + 1 - cards["CRPIX1"]) * cards["CDELT1"]
+                north = (36 - y - cards["CRPIX2"]) * cards["CDELT2"]
+                linear = complex(q, u)
+                light, net, resolved = light + i, net + linear, resolved + abs(linear)
+                second += linear * cmath.exp(-2j * math.atan2(east, north))
+        found = re.search(r"polarised ([\d.e-]+) % net, ([\d.e-]+) % resolved, beta_2 ([\d.e-]+) at (-?[\d.]+) deg", said)
+        told = [float(number) for number in found.groups()]
+        for value, meant in zip(told, (100 * abs(net) / light, 100 * resolved / light, abs(second) / light, math.degrees(cmath.phase(second)))):
+            self.assertAlmostEqual(value, meant, delta=6e-3 * abs(meant))
+        self.assertTrue(-163 < told[3] < -129, told)   # as of M87* in 2017; its mirror image is positive
 
     def test_flux_of_a_known_flow(self):
         # Test 3 of docs/matter.md: 30 M by 30 M at 1000 M, GM/c^2 = 6e11 cm, 2.4e22 cm away.
@@ -81,7 +129,7 @@ class Fits(support.CliTest):
         self.assertAlmostEqual(float(re.search(r"([\d.]+) Jy at 230 GHz", said).group(1)), flux, delta=1e-4 * flux)
         # Other light has other units.
         cards, planes = self.fits(self.write("lit.toml", FLOW.replace('"black"', '"plain"')))
-        self.assertEqual((cards["BUNIT"], len(planes)), ("", 3))
+        self.assertEqual((cards["BUNIT"], len(planes), len(self.colours)), ("", 1, 3))
 
     def test_scale_and_shadow_of_what_is_known(self):
         for key, (name, m_uas, mass, distance) in KNOWN.items():

@@ -77,9 +77,9 @@ Image<float> numbered(int width, int height, int channels) {
 
 }  // namespace
 
-TEST_CASE("fits: three planes of a colour picture, bit by bit, the bottom row first") {
+TEST_CASE("fits: four Stokes planes, bit by bit, the bottom row first") {
     const TemporaryFolder folder("fits");
-    const Image<float> image = numbered(53, 31, 3);
+    const Image<float> image = numbered(53, 31, 4);
     REQUIRE(save_fits(folder.path / "a.fits", image, {}));
     const Fits fits = read_fits(folder.path / "a.fits");
     CHECK(fits.cards.at("SIMPLE") == "T");
@@ -87,13 +87,13 @@ TEST_CASE("fits: three planes of a colour picture, bit by bit, the bottom row fi
     CHECK(fits.cards.at("NAXIS") == "3");
     CHECK(fits.cards.at("NAXIS1") == "53");
     CHECK(fits.cards.at("NAXIS2") == "31");
-    CHECK(fits.cards.at("NAXIS3") == "3");
-    CHECK(fits.cards.at("CTYPE3") == "RGB");
+    CHECK(fits.cards.at("NAXIS3") == "4");
+    CHECK(fits.cards.at("CTYPE3") == "STOKES");
     CHECK(fits.cards.at("BUNIT").empty());
     CHECK_FALSE(fits.cards.contains("DATE"));
     std::size_t at = 0;
     int differ = 0;
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < 4; ++c)
         for (int y = image.height - 1; y >= 0; --y)
             for (int x = 0; x < image.width; ++x) differ += fits.values[at++] != image.at(x, y)[c];
     CHECK(differ == 0);
@@ -127,17 +127,18 @@ TEST_CASE("fits: one channel is one plane, with its unit and cards of every kind
 
 TEST_CASE("fits: what is no such picture, and a place that is none, are refused without a file") {
     const TemporaryFolder folder("fits-refused");
-    for (const Image<float>& image : {Image<float>{}, numbered(3, 2, 2), numbered(3, 2, 4)}) {
+    for (const Image<float>& image : {Image<float>{}, numbered(3, 2, 2), numbered(3, 2, 3)}) {
         const Status saved = save_fits(folder.path / "a.fits", image, {});
         REQUIRE_FALSE(saved);
         CHECK(saved.error().message().find("a.fits") != std::string::npos);
     }
-    const Status nowhere = save_fits(folder.path / "nowhere" / "a.fits", numbered(3, 2, 3), {});
+    CHECK_FALSE(save_fits(folder.path / "a.fits", numbered(3, 2, 1), {}, numbered(3, 3, 3)));
+    const Status nowhere = save_fits(folder.path / "nowhere" / "a.fits", numbered(3, 2, 1), {});
     REQUIRE_FALSE(nowhere);
     CHECK(nowhere.error().message().find("No such file or directory") != std::string::npos);
     for (const FitsCard& card :
          {FitsCard{"NO KEY", 1.0, ""}, {"TOO_LARGE", 1.0, ""}, {"", 1.0, ""}, {"NAN", std::nan(""), ""}})
-        CHECK_FALSE(save_fits(folder.path / "a.fits", numbered(3, 2, 3), {"", "", {card}, {}}));
+        CHECK_FALSE(save_fits(folder.path / "a.fits", numbered(3, 2, 1), {"", "", {card}, {}}));
     CHECK(folder.files() == 0);
 }
 

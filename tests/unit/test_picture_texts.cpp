@@ -42,7 +42,7 @@ Texts own_texts(Texts texts) {
 void save_with(const fs::path& file, const Texts& texts) {
     const Image<unsigned char> bytes(8, 4, 3);
     const Image<unsigned short> words(8, 4, 3);
-    const Image<float> light(8, 4, 3);
+    const Image<float> light(8, 4, 1);
     const PictureFormat* format = format_named(file);
     if (format->save != nullptr) {
         const Status saved = format->save(file, {bytes, words, "A scene", "nullscope 1", std::nullopt, texts});
