@@ -111,12 +111,18 @@ WarpPlace warp_seen(vec2 place) {
 }
 #endif
 
+// On light, of the mesh's intensity: its power, where it is one of a display's values.
+float warp_factor(float intensity) {
+    float light = max(intensity, 0.0);
+    return frame.warp.w > 0.0 && light > 0.0 ? pow(light, frame.warp.w) : light;
+}
+
 float warp_light = 1.0;   // of the ray that was looked for last: factor on its light
 
 // Where a ray looks: the projection's own place of a place of the screen.
 vec2 warp_ray(vec2 place) {
     WarpPlace seen = warp_place(place);
-    warp_light = max(seen.light, 0.0);
+    warp_light = warp_factor(seen.light);
     pixel_share = seen.share;
     return seen.at;
 }

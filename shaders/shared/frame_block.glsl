@@ -19,7 +19,7 @@ struct FrameData {
                        //   radius, else the height; px between places that see the same, 0 if there are none; 0
 #endif
 #ifdef BLOCK_WARP
-    vec4 warp;         // half the picture's height, px; its middle from the line of sight, to the right and upward, px of a pixel's height; 0
+    vec4 warp;         // half the picture's height, px; its middle from the line of sight, to the right and upward, px of a pixel's height; power of its intensities, 0: none
 #endif
 #ifdef BLOCK_LENSING
     vec4 strip;        // cosine and sine of the critical direction's angle from e (a ray nearer to e escapes), 1/w0, first row of the inner rays in the strip

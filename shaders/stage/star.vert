@@ -36,7 +36,7 @@ void main() {
     WarpPlace on_screen = warp_seen(point.pixel);
     point.pixel = on_screen.at;
     point.seen = point.seen && on_screen.light > 0.0;
-    star_peak *= max(on_screen.light, 0.0) * on_screen.share * on_screen.share;
+    star_peak *= warp_factor(on_screen.light) * on_screen.share * on_screen.share;
 #endif
     star_middle = point.pixel;
     vec2 fragment = picture_fragment(point.pixel);

@@ -162,9 +162,14 @@ std::span<const Feature> picture_features() {
          [](Scene& s) { s.camera.warp = assets_directory() / "warp" / "mirror.data"; },
          nullptr,
          {{"camera", "warp", KeyType::kFile, "", "", kNoRange, "warp mesh",
-           "Warp mesh in Paul Bourke's format, for mirror domes and curved screens.",
+           "Warp mesh for mirror domes and curved screens: Paul Bourke's, Stellarium's, SGC or PFM.",
            [](auto& s) { return &s.camera.warp; }, [](const Scene& s) { return !projection_of(s.camera).faces; },
-           "a projection that is no cube"}}},
+           "a projection that is no cube"},
+          {"camera", "warp_intensity", KeyType::kChoice, "", "linear", kNoRange, "linear display",
+           "What the mesh's intensities multiply: light, or displayed values, as players do (light by their power "
+           "2.2).",
+           [](auto& s) { return &s.camera.warp_intensity; }, [](const Scene& s) { return !s.camera.warp.empty(); },
+           "a camera.warp"}}},
     });
     return features;
 }

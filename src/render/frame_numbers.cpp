@@ -62,7 +62,8 @@ void put_view(FrameData& frame, const FramePlan& plan, const Mat3& shown, const 
     frame.projection = {static_cast<double>(camera.projection), shown_px(camera), turn_px(camera) * camera.pixel_aspect,
                         0};
     frame.warp = {0.5 * camera.whole_height(), camera.shift_x * camera.whole_width() * camera.pixel_aspect,
-                  camera.shift_y * camera.whole_height(), 0};
+                  camera.shift_y * camera.whole_height(),
+                  camera.warp_intensity == WarpIntensity::kDisplay ? kDisplayPower : 0.0};
     frame.ray_0 = {direction_without_rounding(shown * ahead), 0};
     frame.ray_x = {direction_without_rounding(shown * right), 0};
     frame.ray_y = {direction_without_rounding(shown * up), 0};

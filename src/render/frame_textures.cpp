@@ -125,7 +125,7 @@ Status add_files(const Scene& scene, const EffectSet& effects, List& to) {
             fmt::format("an image of a body, \"{}\"", file.filename().string());
     }
     if (effects.contains(Effect::kWarp)) {
-        TRY(mesh, load_warp_mesh(scene.camera.warp));
+        TRY(mesh, load_warp_mesh(scene.camera));
         const auto bytes = static_cast<long long>(sizeof(float) * warp_texels(**mesh, input_half(scene.camera)).size());
         to.add("warp mesh", 1, kWarpRow, bytes / (kTexel * kWarpRow), bytes, is<Effect::kWarp>);
     }

@@ -57,7 +57,7 @@ Status WarpTexture::update(const CameraSpec& camera, int largest) {
         *this = {};
         return Done{};
     }
-    TRY(mesh, load_warp_mesh(camera.warp));
+    TRY(mesh, load_warp_mesh(camera));
     const auto half = input_half(camera);
     if (mesh_ == *mesh && half_ == half) return Done{};
     const std::vector<float> texels = warp_texels(**mesh, half);

@@ -49,6 +49,9 @@ struct PicturePart {
 // A camera. The unrotated camera looks at the centre (forward = -e_r), up = -e_theta (towards the north pole),
 // right = forward x up (observer/pose.h). yaw turns to the right, then pitch turns up, then roll turns the picture's top to
 // the right.
+// What a warp mesh's intensities are factors on: light, or the values of a display, whose light is their power of 2.2.
+enum class WarpIntensity { kLinear, kDisplay };
+
 struct CameraSpec {
     double r = 15.0;      // > 0, outside the horizon for a static camera
     double theta = 1.48;  // polar angle, [0, pi]
@@ -71,6 +74,7 @@ struct CameraSpec {
     Stereo stereo = Stereo::kOff;
     double eye_distance = 0.1;     // r_s
     std::filesystem::path warp{};  // mesh that lays the projection's picture out anew (scene/warp_mesh.h); empty: none
+    WarpIntensity warp_intensity = WarpIntensity::kLinear;
     std::optional<ZoomSpec> zoom{};     // then yaw and pitch follow from it
     std::optional<PicturePart> part{};  // of a larger picture, whose width plane_width spans
     int whole_width() const { return part ? part->width : width; }
@@ -78,6 +82,13 @@ struct CameraSpec {
     // Tangent, of other projections than the pinhole angle, of the height of one in the middle, in a zoom too; 0 from a depth of some 700 on.
     double pixel() const;
     friend bool operator==(const CameraSpec&, const CameraSpec&) = default;
+};
+
+// An image file, and which of its pictures.
+struct ImageSource {
+    std::filesystem::path file{};
+    std::string layer{};  // of an EXR with several; empty: the file's own
+    friend auto operator<=>(const ImageSource&, const ImageSource&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 // Surface of a solid body, a disc or a sky. A procedural texture is a number from 0 to 1 at every point, which mixes two colours.
@@ -97,6 +108,7 @@ struct Material {
     // Not of the cylinder: its square covers [-outer, outer]^2, as the disc's.
     BodyMapping mapping = BodyMapping::kEquirectangular;
     std::filesystem::path image{};                                  // kImage
+    std::string image_layer{};                                      // of an EXR with several pictures; empty: its own
     std::string formula{};                                          // kFormula: of u, v, x, y, z (docs/expressions.md)
     Vec3 colour{1.0, 0.72, 0.42}, second_colour{0.12, 0.05, 0.03};  // linear light; kImage is multiplied by colour
     int columns = 24, rows = 12;                // of the pattern over u and over v; of noise: grains across the radius
@@ -106,6 +118,7 @@ struct Material {
     double brightness = 1.0;
     // Of bodies: light of the side away from a far light source over that where it is overhead, [0, 1]; 1: it shines by itself. Where it is.
     double night = 1.0, sun_longitude = 0.0, sun_latitude = 0.0;  // rad, world axes
+    ImageSource source() const { return {image, image_layer}; }
     friend bool operator==(const Material&, const Material&) = default;
 };
 
@@ -136,6 +149,7 @@ struct SkySpec {
     SkyMapping mapping = SkyMapping::kEquirectangular;
     std::filesystem::path image;                 // equirectangular, or the band
     std::filesystem::path north_cap, south_cap;  // kBandAndCaps only
+    std::string image_layer{};                   // of EXR files with several pictures; empty: their own
     double band_latitude = 0.7853981633974483;   // kBandAndCaps only, (0, pi/2)
     double yaw = 0.0, tilt = 0.0;                // world_from_sky = R_z(yaw) R_x(tilt)
     double brightness = 1.0;
@@ -181,6 +195,7 @@ struct DiscEffects {
 struct DiscSpec {
     double inner = 3.0, outer = 12.0;  // 0 < inner < outer
     std::filesystem::path image{};     // empty: the disc image that ships
+    std::string image_layer{};         // of an EXR with several pictures; empty: its own
     double opacity = 1.0;              // (0, 1]; below 1 what lies behind is visible
     double edge = 0.0;                 // fade of opacity at both rims, as a fraction of (outer - inner), [0, 0.5]
     double rotation = 0.0;

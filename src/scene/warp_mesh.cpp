@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
+#include <mutex>
+#include <utility>
 
-#include "base/csv.h"
 #include "base/file_cache.h"
-#include "base/text.h"
 #include "scene/projection.h"
 
 namespace nullscope {
@@ -126,66 +127,14 @@ auto last_of(const CellBins& bins, Point at, F f) -> decltype(f(0)) {
     return std::nullopt;
 }
 
-// Lines of a file: what is wrong with the one that was read last.
-struct Lines {
-    std::string_view name;
-    CsvLines lines;
-    Error wrong(std::string what, std::string allowed) const {
-        Error error = bad_input(std::move(what), std::move(allowed));
-        error.file = name, error.line = std::max(lines.number, 1);
-        return error;
-    }
-    // The numbers of the next line, as many as there should be.
-    Result<std::vector<double>> numbers(std::size_t count, const std::string& what) {
-        if (!lines.next()) return wrong("the file ends here", what);
-        constexpr std::size_t kLongestLine = 400;
-        if (lines.line.size() > kLongestLine) return wrong(fmt::format("a line of {} bytes", lines.line.size()), what);
-        std::string text(lines.line);
-        std::ranges::replace(text, '\t', ' ');
-        std::vector<double> values;
-        for (const std::string& word : split(text, ' ')) {
-            if (word.empty()) continue;
-            const auto value = parse_number(word);
-            if (!value)
-                return wrong(fmt::format("\"{}\" is not a finite number", without_controls(word.substr(0, 40))), what);
-            values.push_back(*value);
-        }
-        if (values.size() != count) return wrong(fmt::format("{} numbers instead of {}", values.size(), count), what);
-        return values;
-    }
-};
-
 }  // namespace
 
-Result<WarpMesh> WarpMesh::parse(std::string_view text, const std::string& name) {
-    Lines lines{name, CsvLines(text)};
-    TRY(kind, lines.numbers(1, "the mesh's kind: 1 (polar) or 2 (rectangular)"));
-    const double type = kind->front();
-    if (type != 1.0 && type != 2.0)
-        return lines.wrong(fmt::format("{} is no kind of mesh", type), "1 (polar) or 2 (rectangular)");
-    TRY(size, lines.numbers(2, "the numbers of nodes, nx ny"));
-    for (const double side : *size)
-        if (side != std::floor(side) || side < 2 || side > kMostSide)
-            return lines.wrong(fmt::format("{} nodes along a side", side), fmt::format("2 to {}", kMostSide));
+Result<WarpMesh> WarpMesh::parse(std::string_view text, const std::string& name, const WarpScreen& screen) {
+    TRY(read, read_warp_nodes(text, name, screen));
     WarpMesh mesh;
-    mesh.columns_ = static_cast<int>(size->front()), mesh.rows_ = static_cast<int>(size->back());
-    const int count = mesh.columns_ * mesh.rows_;
-    if (count > kMostNodes) return lines.wrong(fmt::format("{} nodes", count), fmt::format("at most {}", kMostNodes));
-    mesh.nodes_.reserve(std::min(static_cast<std::size_t>(count), text.size() / 10 + 1));  // "0 0 0 0 0\n"
-    for (int i = 0; i < count; ++i) {
-        TRY(node, lines.numbers(5, fmt::format("x y u v i of node {} of {}", i + 1, count)));
-        const std::vector<double>& value = *node;
-        constexpr const char* kNames[] = {"x", "y", "u", "v", "i"};
-        for (std::size_t k = 0; k < 5; ++k) {
-            const double most = k == 4 ? kMostLight : kMostPlace;
-            if (value[k] < -most || value[k] > most)
-                return lines.wrong(fmt::format("{} = {} is out of range", kNames[k], value[k]),
-                                   fmt::format("[{}, {}]", -most, most));
-        }
-        mesh.nodes_.push_back({value[0], value[1], value[2], value[3], value[4]});
-    }
-    if (lines.lines.next()) return lines.wrong("a line after the last node", fmt::format("{} nodes", count));
-    const int joined = type == 1.0 ? mesh.columns_ : mesh.columns_ - 1;
+    mesh.columns_ = read->columns, mesh.rows_ = read->rows, mesh.of_screen_ = read->of_screen;
+    mesh.nodes_ = std::move(read->nodes);
+    const int joined = read->joined ? mesh.columns_ : mesh.columns_ - 1;
     for (int row = 0; row + 1 < mesh.rows_; ++row)
         for (int column = 0; column < joined; ++column) {
             const int next = (column + 1) % mesh.columns_, start = row * mesh.columns_, above = start + mesh.columns_;
@@ -274,16 +223,35 @@ namespace {
 FileCache<WarpMesh> loaded(16, kLargestMeshFile);
 std::atomic<int> loads = 0;  // grows when one is read
 
+// Of files that tell of places in shares of a screen: for this one.
+FileCache<WarpMesh>& loaded_for(const WarpScreen& screen) {
+    constexpr std::size_t kMostScreens = 8;
+    static std::mutex mutex;
+    static std::map<WarpScreen, std::shared_ptr<FileCache<WarpMesh>>> screens;
+    thread_local std::shared_ptr<FileCache<WarpMesh>> found;  // outlives the list's
+    const std::lock_guard lock(mutex);
+    if (screens.size() >= kMostScreens && !screens.contains(screen)) screens.clear();
+    auto& cache = screens[screen];
+    if (!cache) cache = std::make_shared<FileCache<WarpMesh>>(4, kLargestMeshFile);
+    return *(found = cache);
+}
+
+WarpScreen screen_of(const CameraSpec& camera) {
+    return {camera.whole_width(), camera.whole_height(), camera.pixel_aspect};
+}
+
 // For rays, of which there are many: the file is not looked at again.
 const WarpMesh* mesh_of(const CameraSpec& camera) {
     thread_local std::string path;
+    thread_local WarpScreen screen;
     thread_local std::shared_ptr<const WarpMesh> mesh;
     thread_local int known = -1;
-    if (known == loads && path == camera.warp.native()) return mesh.get();
-    known = loads, path = camera.warp.native();
+    if (known == loads && path == camera.warp.native() && screen == screen_of(camera)) return mesh.get();
+    known = loads, path = camera.warp.native(), screen = screen_of(camera);
     mesh = loaded.known(camera.warp);
+    if (mesh && mesh->of_screen()) mesh = loaded_for(screen).known(camera.warp);
     if (!mesh)
-        if (const auto read = load_warp_mesh(camera.warp)) mesh = *read, known = loads;
+        if (const auto read = load_warp_mesh(camera)) mesh = *read, known = loads;
     return mesh.get();
 }
 
@@ -296,11 +264,19 @@ Point on_screen(const CameraSpec& camera, double x, double y) {
 
 }  // namespace
 
-Result<std::shared_ptr<const WarpMesh>> load_warp_mesh(const std::filesystem::path& file) {
-    bool fresh = false;
-    auto mesh = loaded.get(file, WarpMesh::parse, &fresh);
-    if (fresh) ++loads;
+Result<std::shared_ptr<const WarpMesh>> load_warp_mesh(const std::filesystem::path& file, const WarpScreen& screen) {
+    const auto parse = [&](std::string_view text, const std::string& name) {
+        return WarpMesh::parse(text, name, screen);
+    };
+    bool fresh = false, fresh_for = false;
+    auto mesh = loaded.get(file, parse, &fresh);
+    if (mesh && (*mesh)->of_screen()) mesh = loaded_for(screen).get(file, parse, &fresh_for);
+    if (fresh || fresh_for) ++loads;
     return mesh;
+}
+
+Result<std::shared_ptr<const WarpMesh>> load_warp_mesh(const CameraSpec& camera) {
+    return load_warp_mesh(camera.warp, screen_of(camera));
 }
 
 std::optional<WarpedPlace> warped_place(const CameraSpec& camera, double x, double y) {
@@ -342,7 +318,9 @@ double smallest_warp_share(const CameraSpec& camera) {
 double warp_light(const CameraSpec& camera, double x, double y) {
     if (camera.warp.empty()) return 1.0;
     const auto place = warped_place(camera, x, y);
-    return place ? place->light : 0.0;
+    if (!place) return 0.0;
+    const double light = std::max(place->light, 0.0);
+    return camera.warp_intensity == WarpIntensity::kDisplay ? std::pow(light, kDisplayPower) : light;
 }
 
 }  // namespace nullscope

@@ -1,12 +1,9 @@
-// Warp meshes in Paul Bourke's format (paulbourke.net/dataformats/meshwarp): which place of the projection's own picture each place of
-// the screen shows. Rays go through the mesh, so nothing is resampled.
+// Warp meshes: which place of the projection's own picture each place of the screen shows. Rays go through the mesh, so nothing is resampled.
+// Their files: scene/warp_file.h.
 //
-// A file's first line is its kind: 2 rectangular, 1 polar (the last column of nodes is joined to the first). The second has the numbers
-// of nodes, nx ny. Then follow nx ny lines, nx for each row:
-//     x y u v i
-// x, y: on the screen in half its heights from its middle, right and up, so that y goes from -1 to 1 and x from -aspect to aspect;
-// parts of a mesh may lie beside the screen. u, v: in the projection's picture, from 0 at its left and lower side to 1. i: factor on
-// the light, linear; no cell is drawn that has a node of negative i.
+// A node has x, y: on the screen in half its heights from its middle, right and up, so that y goes from -1 to 1 and x from -aspect to
+// aspect; parts of a mesh may lie beside the screen. u, v: in the projection's picture, from 0 at its left and lower side to 1.
+// i: factor on the light (CameraSpec::warp_intensity); no cell is drawn that has a node of negative i.
 //
 // A cell has four nodes. Its middle is their mean in x, y, u, v and i, and each of the four triangles about the middle is linear: no
 // diagonal is preferred, and along its sides a cell is as wide as its neighbour. Where cells overlap the last is seen.
@@ -24,12 +21,9 @@
 
 #include "base/result.h"
 #include "scene/scene.h"
+#include "scene/warp_file.h"
 
 namespace nullscope {
-
-struct WarpNode {
-    double x = 0, y = 0, u = 0, v = 0, light = 0;
-};
 
 // Cells by place: the plane's bins, and of each the cells that may reach into it.
 struct CellBins {
@@ -48,11 +42,9 @@ struct WarpPlace {
 
 class WarpMesh {
 public:
-    static constexpr int kMostNodes = 1'000'000, kMostSide = 4096;
-    static constexpr double kMostPlace = 100.0, kMostLight = 1000.0;  // of |x|, |y|, |u|, |v|; of i
-
     // name: of the file, for messages. Errors: what is no mesh, with its line, and meshes of which too many cells overlap at one point.
-    static Result<WarpMesh> parse(std::string_view text, const std::string& name);
+    static Result<WarpMesh> parse(std::string_view text, const std::string& name, const WarpScreen& screen = {});
+    bool of_screen() const { return of_screen_; }  // it is another one for another screen
 
     std::optional<WarpPlace> at(double x, double y) const;                    // nothing beside the mesh
     std::optional<std::array<double, 2>> place_of(double u, double v) const;  // x, y; of several the last cell's
@@ -73,13 +65,16 @@ private:
     CellBins bins_, bins_of_picture_;
     int columns_ = 0, rows_ = 0;
     double least_area_ = 1e30;
+    bool of_screen_ = false;
 };
 
 // Half the width and half the height of the projection's own picture, in half heights of the screen.
 std::array<double, 2> input_half(const CameraSpec& camera);
 
 // The mesh of a file, read once, and again when the file has changed. Thread-safe.
-Result<std::shared_ptr<const WarpMesh>> load_warp_mesh(const std::filesystem::path& file);
+Result<std::shared_ptr<const WarpMesh>> load_warp_mesh(const std::filesystem::path& file,
+                                                       const WarpScreen& screen = {});
+Result<std::shared_ptr<const WarpMesh>> load_warp_mesh(const CameraSpec& camera);
 
 // Of a camera with a mesh: what a place of its picture shows, px from the upper left corner. at: where the projection's own picture has
 // that, px of a pixel's height from its middle, right and up. Nothing: the picture is dark there, or the mesh cannot be read.
@@ -94,6 +89,7 @@ std::optional<std::array<double, 2>> unwarped_place(const CameraSpec& camera, st
 // The least share of the picture, but no less than kNarrowestShare; 1 without a mesh.
 inline constexpr double kNarrowestShare = 0.1;
 double smallest_warp_share(const CameraSpec& camera);
+inline constexpr double kDisplayPower = 2.2;  // of a display's light over its values, WarpIntensity::kDisplay
 // Factor on light: 1 without a mesh, 0 where the picture is dark.
 double warp_light(const CameraSpec& camera, double x, double y);
 

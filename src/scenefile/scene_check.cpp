@@ -73,7 +73,8 @@ Faults check_other_keys(const Scene& scene, const GivenKeys& given) {
 
 bool same_picture(const CameraSpec& a, const CameraSpec& b) {
     return a.width == b.width && a.height == b.height && a.projection == b.projection &&
-           a.pixel_aspect == b.pixel_aspect && a.stereo == b.stereo && a.warp == b.warp;
+           a.pixel_aspect == b.pixel_aspect && a.stereo == b.stereo && a.warp == b.warp &&
+           a.warp_intensity == b.warp_intensity;
 }
 
 Faults check_cube(const CameraSpec& camera) {
@@ -127,7 +128,7 @@ Faults check_warp(const Scene& scene) {
     for (const auto& [there, what] :
          {std::pair{scene.camera.zoom.has_value(), "[zoom]"}, {scene.split.has_value(), "[split]"}})
         if (there) return {{warp, fmt::format("cannot be combined with {}", what), "one of both", warp}};
-    const auto mesh = load_warp_mesh(scene.camera.warp);
+    const auto mesh = load_warp_mesh(scene.camera);
     if (mesh) return {};
     return {file_fault(warp, scene.camera.warp, mesh.error(), "a warp mesh")};
 }

@@ -16,7 +16,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
             const auto place = mesh->at(x, y);
             if (!place) continue;
             fuzz::must(std::isfinite(place->u) && std::isfinite(place->v), "a place in the picture");
-            fuzz::must(place->light >= -1e-5 && place->light <= 1.001 * WarpMesh::kMostLight,
+            fuzz::must(place->light >= -1e-5 && place->light <= 1.001 * kMostWarpLight,
                        "light as that of nodes that are drawn");
             if (std::fabs(place->u) > 1.5 || std::fabs(place->v) > 1.5) continue;
             mesh->place_of(place->u, place->v);
