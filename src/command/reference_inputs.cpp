@@ -19,7 +19,8 @@ namespace nullscope::cli {
 reference::Pictures ReferenceInputs::pictures(const Scene& scene) const {
     reference::Pictures all(disc ? &*disc : nullptr);
     for (const Body& body : scene.bodies)
-        all.bodies.push_back(body.material.texture == TextureKind::kImage ? &bodies.at(body.material.image) : nullptr);
+        all.bodies.push_back(body.material.texture == TextureKind::kImage ? &bodies.at(body.material.source())
+                                                                          : nullptr);
     return all;
 }
 
@@ -46,10 +47,10 @@ Result<std::unique_ptr<const ReferenceInputs>> load_reference_inputs(const Scene
         take_notes(image->notes);
         inputs->disc = std::move(image->image);
     }
-    for (const auto& file : body_images(scene)) {
-        TRY(image, load_fitted_image(file, body_image_limits(ImageLimits().max_side)));
+    for (const ImageSource& source : body_images(scene)) {
+        TRY(image, load_fitted_image(source.file, body_image_limits(ImageLimits().max_side, source.layer)));
         take_notes(image->notes);
-        inputs->bodies[file] = std::move(image->image);
+        inputs->bodies[source] = std::move(image->image);
     }
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     if (std::string word = medium_note(**spacetime, scene); !word.empty()) inputs->notes.push_back(std::move(word));

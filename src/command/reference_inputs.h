@@ -17,7 +17,7 @@ struct ReferenceInputs {
     SkyCube sky;
     std::optional<SkyCube> far_sky;
     std::optional<Image<float>> disc;
-    std::map<std::filesystem::path, Image<float>> bodies;
+    std::map<ImageSource, Image<float>> bodies;
     std::vector<std::string> notes;  // what was done to files, and what of them is not used: a line each
 
     const SkyCube* far() const { return far_sky ? &*far_sky : nullptr; }

@@ -59,7 +59,7 @@ std::vector<ExrLayer> layers_of(const Imf::MultiPartInputFile& file) {
             ExrLayer layer{part, prefix, {}};
             if (has("R") && has("G") && has("B"))
                 layer.channels = {"R", "G", "B"};
-            else if (has("Y") && !has("RY") && !has("BY"))
+            else if (has("Y") && !has("RY") && !has("BY") && !has("X") && !has("Z"))  // not a place or a direction
                 layer.channels = {"Y"};
             else
                 continue;
@@ -88,9 +88,41 @@ std::string contents_of(const Imf::MultiPartInputFile& file) {
     return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+// What a layer is called: its prefix, its part's name, or both.
+std::vector<std::string> names_of(const Imf::MultiPartInputFile& file, const ExrLayer& layer) {
+    const Imf::Header& header = file.header(layer.part);
+    const std::string part = header.hasName() ? header.name() : "",
+                      prefix = layer.prefix.substr(0, layer.prefix.empty() ? 0 : layer.prefix.size() - 1);
+    std::vector<std::string> names;
+    for (const std::string& name : {prefix, part, part.empty() || prefix.empty() ? "" : part + "." + prefix})
+        if (!name.empty()) names.push_back(name);
+    return names;
+}
+
+// The only layer of that name; where several share it, as those of a part do, the one without a prefix.
+Result<ExrLayer> named_layer(const Imf::MultiPartInputFile& file, const std::vector<ExrLayer>& layers,
+                             const std::string& wanted, const std::string& name) {
+    std::vector<const ExrLayer*> found;
+    std::vector<std::string> all;
+    for (const ExrLayer& layer : layers) {
+        const auto names = names_of(file, layer);
+        if (std::ranges::count(names, wanted) > 0) found.push_back(&layer);
+        all.push_back(names.empty() ? "a picture without a name, read without image_layer"
+                                    : fmt::format("\"{}\"", file.parts() > 1 ? names.back() : names.front()));
+    }
+    const bool none = found.empty();
+    if (found.size() > 1) std::erase_if(found, [](const ExrLayer* layer) { return !layer->prefix.empty(); });
+    if (found.size() == 1) return *found.front();
+    return unreadable(name, fmt::format("image_layer \"{}\" is {}; it has {}", wanted,
+                                        none ? "none of its pictures" : "several of its pictures",
+                                        all.empty() ? "none: " + contents_of(file) : shortened(std::move(all))));
+}
+
 // The picture: what has no prefix, or the only one, or the only one that is called Combined, as Blender has it.
-Result<ExrLayer> picture_layer(const Imf::MultiPartInputFile& file, const std::string& name) {
+Result<ExrLayer> picture_layer(const Imf::MultiPartInputFile& file, const std::string& wanted,
+                               const std::string& name) {
     const std::vector<ExrLayer> layers = layers_of(file);
+    if (!wanted.empty()) return named_layer(file, layers, wanted, name);
     if (layers.empty())
         return unreadable(name, fmt::format("no channels R, G and B, or Y, of one name; it has {}", contents_of(file)));
     const auto only = [&](auto is_it) -> const ExrLayer* {
@@ -104,10 +136,8 @@ Result<ExrLayer> picture_layer(const Imf::MultiPartInputFile& file, const std::s
     if (layers.size() == 1) return layers.front();
     if (const ExrLayer* found = only(bare)) return *found;
     if (const ExrLayer* found = std::ranges::any_of(layers, bare) ? nullptr : only(combined)) return *found;
-    return unreadable(name,
-                      fmt::format("several pictures, and none that is the file's: {}; write one of them into a file "
-                                  "of its own",
-                                  contents_of(file)));
+    return unreadable(name, fmt::format("several pictures, and none that is the file's: {}; image_layer says which",
+                                        contents_of(file)));
 }
 
 // What of the file is not used, each a few words.
@@ -170,11 +200,11 @@ Image<float> displayed(const Image<float>& data, const Imath::Box2i& window, con
 
 // Throws what OpenEXR throws.
 Result<ExrPicture> read_exr_picture(std::string_view bytes, const std::string& name, long long max_pixels,
-                                    bool with_alpha) {
+                                    bool with_alpha, const std::string& wanted) {
     if (const Status checked = check_exr(bytes); !checked) return unreadable(name, checked.error().message());
     MemoryStream stream(bytes, name);
     Imf::MultiPartInputFile file(stream);
-    TRY(layer, picture_layer(file, name));
+    TRY(layer, picture_layer(file, wanted, name));
     ExrPicture picture;
     picture.unused = unused_of(file, *layer, with_alpha);
     picture.has_alpha = layer->channels.back() == "A";
@@ -204,17 +234,18 @@ Result<ExrPicture> read_exr_picture(std::string_view bytes, const std::string& n
 }  // namespace
 
 Result<ExrPicture> decode_exr_picture(std::string_view bytes, const std::string& name, long long max_pixels,
-                                      bool with_alpha) {
+                                      bool with_alpha, const std::string& wanted) {
     try {
-        return read_exr_picture(bytes, name, max_pixels, with_alpha);
+        return read_exr_picture(bytes, name, max_pixels, with_alpha, wanted);
     } catch (const std::exception& exception) {
         return unreadable(name, exception.what());
     }
 }
 
-Result<ExrPicture> load_exr_picture(const std::filesystem::path& path, long long max_pixels, bool with_alpha) {
+Result<ExrPicture> load_exr_picture(const std::filesystem::path& path, long long max_pixels, bool with_alpha,
+                                    const std::string& wanted) {
     TRY(bytes, read_text(path, kMaxExrBytes));
-    return decode_exr_picture(*bytes, path.string(), max_pixels, with_alpha);
+    return decode_exr_picture(*bytes, path.string(), max_pixels, with_alpha, wanted);
 }
 
 }  // namespace nullscope

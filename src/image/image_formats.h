@@ -66,15 +66,15 @@ inline constexpr std::string_view kXmpMark("http://ns.adobe.com/xap/1.0/\0",
 Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::vector<std::string>& comments,
                                 int quality, const std::string& xmp = {});
 
-// Radiance RGBE (.hdr).
-bool is_hdr(std::string_view bytes);
-
+// Of a file that is held whole.
 struct HdrPicture {
     Image<float> image;  // linear light
     int orientation = 1;
     std::optional<Mat3> to_rec709{};
     std::vector<std::string> unused{};
 };
+// Radiance RGBE (.hdr).
+bool is_hdr(std::string_view bytes);
 // bytes: a whole file. Errors: cut off, damaged, columns before rows, another colour format, larger than max_pixels.
 Result<HdrPicture> decode_hdr(std::string_view bytes, long long max_pixels);
 
@@ -85,10 +85,12 @@ struct ExrPicture {
     std::optional<Mat3> to_rec709{};
     std::vector<std::string> unused{};
 };
-// Errors: as load_image; several pictures of which none is the file's.
+// wanted: a layer ("ViewLayer.Combined"), a part, or both ("part.layer"); empty: the file's own picture. Errors: as load_image; several
+// pictures of which none is the file's, no such layer: with a list of what there is.
 Result<ExrPicture> decode_exr_picture(std::string_view bytes, const std::string& name, long long max_pixels,
-                                      bool with_alpha);
-Result<ExrPicture> load_exr_picture(const std::filesystem::path& path, long long max_pixels, bool with_alpha);
+                                      bool with_alpha, const std::string& wanted = {});
+Result<ExrPicture> load_exr_picture(const std::filesystem::path& path, long long max_pixels, bool with_alpha,
+                                    const std::string& wanted = {});
 
 // Whether an ICC profile calls itself sRGB.
 inline bool is_srgb_profile(std::string_view profile) {

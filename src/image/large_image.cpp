@@ -162,7 +162,7 @@ void divide_by_alpha(Decoded& decoded) {
 
 Result<FittedImage> load_fitted_exr(const std::filesystem::path& path, const ImageLimits& limits) {
     const bool with_alpha = limits.alpha == Alpha::kKept;
-    TRY(exr, load_exr_picture(path, std::min(limits.max_pixels, kMaxWhole), with_alpha));
+    TRY(exr, load_exr_picture(path, std::min(limits.max_pixels, kMaxWhole), with_alpha, limits.layer));
     Decoded decoded{{std::move(exr->image)}, 1, exr->to_rec709, std::move(exr->unused)};
     if (exr->has_alpha && limits.alpha == Alpha::kLeftOut) decoded.unused.emplace_back("alpha");
     if (decoded.fitted.image.channels == 4 && limits.light) divide_by_alpha(decoded);
@@ -177,6 +177,7 @@ Error unreadable(const std::string& name, std::string_view reason) {
 
 Result<FittedImage> load_fitted_image(const std::filesystem::path& path, const ImageLimits& limits) {
     if (is_exr(path)) return load_fitted_exr(path, limits);
+    if (!limits.layer.empty()) return unreadable(path.string(), "image_layer is of EXR files");
     std::error_code error;
     const auto file_bytes = std::filesystem::file_size(path, error);  // an error: no file, or a pipe
     std::ifstream file(path, std::ios::binary);
@@ -207,11 +208,11 @@ Result<FittedImage> decode_fitted_image(std::string_view bytes, const std::strin
                         limits);
 }
 
-Result<ImageSize> image_size(const std::filesystem::path& path) {
+Result<ImageSize> image_size(const std::filesystem::path& path, const std::string& layer) {
     std::ifstream file(path, std::ios::binary);
     const OpenRows open = is_exr(path) ? nullptr : rows_of(file.peek());
     if (open == nullptr) {
-        TRY(whole, load_fitted_image(path));
+        TRY(whole, load_fitted_image(path, {.layer = layer}));
         return ImageSize{whole->width, whole->height};
     }
     auto rows = open([&file](char* to, std::size_t most) {

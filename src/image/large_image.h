@@ -18,7 +18,8 @@ struct ImageLimits {
     long long whole_pixels = 32LL << 20;   // of interlaced PNG and progressive JPEG, which are held whole
     long long max_pixels = 2'000'000'000;  // of PNG and JPEG; other files: at most 500'000'000
     Alpha alpha = Alpha::kKept;
-    bool light = true;  // what is no light, below 0 or not finite, is mended: 0, the largest number of the image
+    std::string layer{};  // of an EXR with several pictures: its layer or part; empty: the file's own picture
+    bool light = true;    // what is no light, below 0 or not finite, is mended: 0, the largest number of the image
 };
 
 // An image, smaller than its file's if that has a longer side: each pixel the mean of those it stands for, in linear light. Turned as the file
@@ -31,7 +32,7 @@ struct FittedImage {
 };
 
 // Shows progress. Errors: as load_image; a large PNG that is interlaced, a large JPEG that is progressive; an EXR with several pictures of
-// which none is the file's. Memory: the image returned and a few rows of other PNG and JPEG, else the file and the whole image.
+// which none is the file's, or without the layer; a layer of another file. Memory: the image returned and a few rows of other PNG and JPEG, else the file and the whole image.
 Result<FittedImage> load_fitted_image(const std::filesystem::path& path, const ImageLimits& limits = {});
 // The same for a PNG, JPEG or HDR file in memory; name: what errors call it.
 Result<FittedImage> decode_fitted_image(std::string_view bytes, const std::string& name,
@@ -41,7 +42,7 @@ Result<FittedImage> decode_fitted_image(std::string_view bytes, const std::strin
 struct ImageSize {
     int width = 0, height = 0;
 };
-Result<ImageSize> image_size(const std::filesystem::path& path);
+Result<ImageSize> image_size(const std::filesystem::path& path, const std::string& layer = {});
 
 // "'sky.png': 29566x14321 px, read as 8192x3968 px: " + why; empty if nothing was reduced.
 std::string reduction_words(const std::filesystem::path& path, const FittedImage& image, const std::string& why);

@@ -13,7 +13,8 @@ std::string body_image_sampler(int image) { return fmt::format("body_image_{}", 
 
 Status PictureTexture::update(const std::filesystem::path& wanted, const ImageLimits& limits,
                               std::vector<std::string>& notes) {
-    if (file == wanted) return Done{};
+    const ImageSource asked{wanted, limits.layer};
+    if (source == asked) return Done{};
     *this = {};
     if (wanted.empty()) return Done{};
     TRY(fitted, load_fitted_image(wanted, limits));
@@ -24,7 +25,7 @@ Status PictureTexture::update(const std::filesystem::path& wanted, const ImageLi
     if (const std::size_t beyond = count_beyond_half(fitted->image.data); beyond > 0)
         notes.push_back(fmt::format("'{}': {} numbers above {:g}, the largest half float, are drawn as that",
                                     wanted.string(), beyond, kMostHalf));
-    file = wanted, width = fitted->image.width, height = fitted->image.height;
+    source = asked, width = fitted->image.width, height = fitted->image.height;
     const std::vector<HalfLevel> levels = half_levels(std::move(fitted->image));
     std::vector<gl::HalfTexels> texels;
     texels.reserve(levels.size());
@@ -39,8 +40,8 @@ Status BodyImages::update(const Scene& scene, int largest, std::vector<std::stri
         return bad_input(fmt::format("{} different images on bodies", files.size()),
                          fmt::format("at most {}", pictures_.size()));
     for (std::size_t i = 0; i < pictures_.size(); ++i) {
-        TRY(made, pictures_[i].update(i < files.size() ? files[i] : std::filesystem::path(), body_image_limits(largest),
-                                      notes));
+        const ImageSource source = i < files.size() ? files[i] : ImageSource();
+        TRY(made, pictures_[i].update(source.file, body_image_limits(largest, source.layer), notes));
     }
     return Done{};
 }

@@ -16,13 +16,15 @@ namespace nullscope {
 std::string body_image_sampler(int image);  // of number `image` of body_images(): its sampler in the shader
 
 // An image on a solid body, which is opaque: without alpha. max_side: px.
-inline ImageLimits body_image_limits(int max_side) { return {.max_side = max_side, .alpha = Alpha::kLeftOut}; }
+inline ImageLimits body_image_limits(int max_side, const std::string& layer) {
+    return {.max_side = max_side, .alpha = Alpha::kLeftOut, .layer = layer};
+}
 
 struct PictureTexture {
-    std::filesystem::path file;  // empty: no picture
+    ImageSource source;  // empty file: no picture
     int width = 0, height = 0;
     gl::Texture texture;
-    // limits: max_side, beyond which the file is read smaller, and what becomes of alpha; notes: lines are added, of what was done to it and
+    // limits: max_side, beyond which the file is read smaller, what becomes of alpha, and the picture's layer; notes: lines are added, of what was done to it and
     // what of it is not used. Errors: it cannot be read.
     Status update(const std::filesystem::path& wanted, const ImageLimits& limits, std::vector<std::string>& notes);
 };

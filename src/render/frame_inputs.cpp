@@ -24,9 +24,14 @@ std::filesystem::path disc_image_file(const DiscSpec& disc) {
     return disc.image.empty() ? assets_directory() / "images" / "accretion-disc.png" : disc.image;
 }
 
+// The image that ships has none.
+std::string disc_layer(const DiscSpec& disc) { return disc.image.empty() ? "" : disc.image_layer; }
+
 }  // namespace
 
-Result<FittedImage> load_disc_image(const DiscSpec& disc) { return load_fitted_image(disc_image_file(disc)); }
+Result<FittedImage> load_disc_image(const DiscSpec& disc) {
+    return load_fitted_image(disc_image_file(disc), {.layer = disc_layer(disc)});
+}
 
 void FrameInputs::name(const gl::Program& program) {
     for (const char* sampler : kSamplers) gl::set_integer(program, sampler, unit_of(sampler));
@@ -38,7 +43,9 @@ Status FrameInputs::begin(const FrameTables& tables, const Method& method, std::
     begin_skies(tables, notes);
     const auto disc_file =
         tables.effects().contains(Effect::kDiscImage) ? disc_image_file(*scene.disc) : std::filesystem::path();
-    if (Status status = disc_.update(disc_file, {.max_side = largest_picture_}, notes); !status) return status;
+    const std::string layer = disc_file.empty() ? "" : disc_layer(*scene.disc);
+    if (Status status = disc_.update(disc_file, {.max_side = largest_picture_, .layer = layer}, notes); !status)
+        return status;
     if (Status status = body_images_.update(scene, largest_picture_, notes); !status) return status;
     if (Status status = warp_.update(scene.camera, info_.max_texture_size); !status) return status;
     if (Status status = medium_.update(scene, info_); !status) return status;

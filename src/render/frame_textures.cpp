@@ -119,10 +119,10 @@ Status add_files(const Scene& scene, const EffectSet& effects, List& to) {
         TRY(image, load_disc_image(*scene.disc));
         add_image("disc image", image->image, is<Effect::kDiscImage>);
     }
-    for (int number = 0; const auto& file : body_images(scene)) {
-        TRY(image, load_fitted_image(file, body_image_limits(ImageLimits().max_side)));
+    for (int number = 0; const ImageSource& source : body_images(scene)) {
+        TRY(image, load_fitted_image(source.file, body_image_limits(ImageLimits().max_side, source.layer)));
         add_image(body_image_name(scene, number++), image->image, is<Effect::kBodyImage>).reason =
-            fmt::format("an image of a body, \"{}\"", file.filename().string());
+            fmt::format("an image of a body, \"{}\"", source.file.filename().string());
     }
     if (effects.contains(Effect::kWarp)) {
         TRY(mesh, load_warp_mesh(scene.camera));
@@ -159,7 +159,7 @@ void add_pictures(const Scene& scene, const EffectSet& effects, List& to) {
 std::string body_image_name(const Scene& scene, int image) {
     const auto files = body_images(scene);
     std::size_t body = 0;
-    while (scene.bodies[body].material.image != files[static_cast<std::size_t>(image)]) ++body;
+    while (scene.bodies[body].material.source() != files[static_cast<std::size_t>(image)]) ++body;
     return body_section(scene, body) + " image";
 }
 

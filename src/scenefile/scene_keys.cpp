@@ -64,11 +64,13 @@ bool is_flat(const Scene& s) { return projection_of(s.camera).flat; }
 bool has_eyes(const Scene& s) { return s.camera.stereo != Stereo::kOff; }
 bool has_fov(const Scene& s) { return !projection_of(s.camera).faces; }
 bool far_is_nebula(const Scene& s) { return s.far_sky.kind == SkyKind::kNebula; }
+bool far_is_image(const Scene& s) { return s.far_sky.kind == SkyKind::kImage; }
 bool has_caps(const Scene& s) { return s.sky.mapping == SkyMapping::kBandAndCaps; }
 template <PathKind kind>
 bool path_is(const Scene& s) {
     return s.path->kind == kind;
 }
+bool disc_has_image(const Scene& s) { return s.disc->material.texture == TextureKind::kImage; }
 bool disc_is_thermal(const Scene& s) { return s.disc->emission == DiscEmission::kThermal; }
 
 constexpr SceneKey kKeys[] = {
@@ -211,6 +213,9 @@ constexpr SceneKey kKeys[] = {
     {"sky", "image", KeyType::kFile, "", "", kNoRange, "",
      "The equirectangular image, or the band; needs kind = \"image\".", [](auto& s) { return &s.sky.image; },
      sky_is<SkyKind::kImage>, "kind = \"image\"", true},
+    {"sky", "image_layer", KeyType::kText, "", "", kNoRange, "",
+     "Which picture of an EXR with several, also of the caps: its layer or part.",
+     [](auto& s) { return &s.sky.image_layer; }, sky_is<SkyKind::kImage>, "kind = \"image\""},
     {"sky", "north_cap", KeyType::kFile, "", "", kNoRange, "",
      "Azimuthal equidistant image of the north cap; needs mapping = \"band-and-caps\".",
      [](auto& s) { return &s.sky.north_cap; }, has_caps, "mapping = \"band-and-caps\"", true},
@@ -259,8 +264,9 @@ constexpr SceneKey kKeys[] = {
     {"far_sky", "kind", KeyType::kChoice, "", "stars", kNoRange, "stars image black nebula",
      "The sky at the other end of a wormhole, l = -infinity; as sky.kind.", [](auto& s) { return &s.far_sky.kind; }},
     {"far_sky", "image", KeyType::kFile, "", "", kNoRange, "", "Its equirectangular image; needs kind = \"image\".",
-     [](auto& s) { return &s.far_sky.image; }, [](const Scene& s) { return s.far_sky.kind == SkyKind::kImage; },
-     "kind = \"image\"", true},
+     [](auto& s) { return &s.far_sky.image; }, far_is_image, "kind = \"image\"", true},
+    {"far_sky", "image_layer", KeyType::kText, "", "", kNoRange, "", "As sky.image_layer.",
+     [](auto& s) { return &s.far_sky.image_layer; }, far_is_image, "kind = \"image\""},
     {"far_sky", "seed", KeyType::kWhole, "", "1", closed(0.0, 1000000.0), "", "As sky.seed.",
      [](auto& s) { return &s.far_sky.nebula.seed; }, far_is_nebula, "kind = \"nebula\""},
     {"far_sky", "hydrogen", KeyType::kColour, "", "[1, 0.16, 0.2]", closed(0.0, 1000.0), "", "As sky.hydrogen.",
@@ -280,8 +286,10 @@ constexpr SceneKey kKeys[] = {
      [](auto& s) { return &s.disc->outer; }},
     {"disc", "image", KeyType::kFile, "", "", kNoRange, "",
      "Square image that covers the disc; by default the built-in disc image. Needs texture = \"image\".",
-     [](auto& s) { return &s.disc->image; },
-     [](const Scene& s) { return s.disc->material.texture == TextureKind::kImage; }, "texture = \"image\""},
+     [](auto& s) { return &s.disc->image; }, disc_has_image, "texture = \"image\""},
+    {"disc", "image_layer", KeyType::kText, "", "", kNoRange, "",
+     "Which picture of an EXR with several: its layer or part.", [](auto& s) { return &s.disc->image_layer; },
+     disc_has_image, "texture = \"image\""},
     {"disc", "texture", KeyType::kChoice, "", "image", kNoRange, "plain checker grid stripes noise formula image gas",
      "Surface texture: an image, one colour, a pattern of two colours in azimuth and radius, or turbulent gas.",
      [](auto& s) { return &s.disc->material.texture; }},

@@ -59,7 +59,7 @@ struct Group {
     auto key() const { return std::tie(shape.marched, shape, far, texture, mapping, formula, image); }
 };
 
-Group group_of(const Body& body, const std::vector<std::filesystem::path>& images, bool mino) {
+Group group_of(const Body& body, const std::vector<ImageSource>& images, bool mino) {
     const Material& material = body.material;
     const bool image = material.texture == TextureKind::kImage;
     return {std::visit(ShapeOf{kind_of(body).key, mino}, body.shape),
@@ -67,7 +67,7 @@ Group group_of(const Body& body, const std::vector<std::filesystem::path>& image
             material.texture,
             material.mapping,
             material.texture == TextureKind::kFormula ? material.formula : "",
-            image ? static_cast<int>(std::find(images.begin(), images.end(), material.image) - images.begin()) : -1};
+            image ? static_cast<int>(std::find(images.begin(), images.end(), material.source()) - images.begin()) : -1};
 }
 
 // A still sphere is seen where no larger one is about it; of equal ones the first.
@@ -360,12 +360,12 @@ std::string objects_text(const std::vector<Group>& groups, const Scene& scene) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> body_images(const Scene& scene) {
-    std::vector<std::filesystem::path> files;
+std::vector<ImageSource> body_images(const Scene& scene) {
+    std::vector<ImageSource> files;
     for (const Body& body : scene.bodies)
         if (body.material.texture == TextureKind::kImage &&
-            std::find(files.begin(), files.end(), body.material.image) == files.end())
-            files.push_back(body.material.image);
+            std::find(files.begin(), files.end(), body.material.source()) == files.end())
+            files.push_back(body.material.source());
     return files;
 }
 

@@ -37,8 +37,8 @@ std::vector<std::size_t> shader_bodies(const Scene& scene);
 // The number that SolidHit of the shader gives the first of these; above the numbers of all else that rays hit (scene/ray.h).
 inline constexpr int kFirstBody = 8;
 
-// The images on bodies, each file once: shaders know number k as body_image_k. A scene may have kMostBodyImages.
+// The images on bodies, each once: shaders know number k as body_image_k. A scene may have kMostBodyImages.
 inline constexpr int kMostBodyImages = 4;
-std::vector<std::filesystem::path> body_images(const Scene& scene);
+std::vector<ImageSource> body_images(const Scene& scene);
 
 }  // namespace nullscope

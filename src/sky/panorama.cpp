@@ -40,10 +40,11 @@ int samples_per_texel(double pixels_per_radian, int face_size) {
 
 // Images are read no larger than this: 4 columns a texel along the faces' equator, where 3.14 lie in the middle of a face and one at
 // its edge is 2 times as fine; never less than 8192, so that only the largest are touched.
-Result<Image<float>> load_for(int face_size, const std::filesystem::path& path, std::vector<std::string>& notes) {
+Result<Image<float>> load_for(int face_size, const ImageSource& source, std::vector<std::string>& notes) {
+    const std::filesystem::path& path = source.file;
     constexpr int kLeastSide = 8192, kColumnsPerTexel = 4;
     const int side = std::max(kLeastSide, kColumnsPerTexel * face_size);
-    TRY(fitted, load_fitted_image(path, {.max_side = side, .alpha = Alpha::kOnBlack}));
+    TRY(fitted, load_fitted_image(path, {.max_side = side, .alpha = Alpha::kOnBlack, .layer = source.layer}));
     notes.insert(notes.end(), fitted->notes.begin(), fitted->notes.end());
     if (fitted->reduced())
         notes.push_back(reduction_words(path, *fitted, fmt::format("the sky's faces are of {} px", face_size)));
@@ -74,11 +75,11 @@ double cap_density(const ImageSize& size, double limit) {
 Result<double> panorama_density(const SkySpec& spec) {
     const bool caps = spec.mapping != SkyMapping::kEquirectangular;
     const double limit = caps ? spec.band_latitude : 0.5 * kPi;
-    TRY(size, image_size(spec.image));
+    TRY(size, image_size(spec.image, spec.image_layer));
     double density = density_of(*size, limit);
     if (caps)
         for (const std::filesystem::path* file : {&spec.north_cap, &spec.south_cap}) {
-            TRY(cap, image_size(*file));
+            TRY(cap, image_size(*file, spec.image_layer));
             density = std::max(density, cap_density(*cap, limit));
         }
     return density;
@@ -93,13 +94,13 @@ Result<Panorama> Panorama::load(const SkySpec& spec, const Mat3& world_from_sky,
     const double limit = caps ? spec.band_latitude : 0.5 * kPi;
     if (caps && !(limit > 0.0 && limit < 0.5 * kPi))
         return bad_input(fmt::format("sky: band latitude {} is outside (0, pi/2)", limit));
-    TRY(image, load_for(face_size, spec.image, made.notes_));
+    TRY(image, load_for(face_size, {spec.image, spec.image_layer}, made.notes_));
     made.image_ = std::move(*image);
     double density = density_of({made.image_.width, made.image_.height}, limit);
     if (caps)
         for (const auto& [file, cap] :
              {std::pair{&spec.north_cap, &made.north_}, std::pair{&spec.south_cap, &made.south_}}) {
-            TRY(loaded, load_for(face_size, *file, made.notes_));
+            TRY(loaded, load_for(face_size, {*file, spec.image_layer}, made.notes_));
             *cap = std::move(*loaded);
             density = std::max(density, cap_density({cap->width, cap->height}, limit));
         }

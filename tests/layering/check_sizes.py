@@ -19,6 +19,7 @@ MEMBERS = {"src/viewer/viewer.h": ("Viewer", 35)}   # of that class, at most
 # What is longer, its lines, and why.
 ROWS = "rows of a table"
 EXCEPTIONS = {
+    "src/scenefile/scene_keys.cpp": (415, ROWS),
     "src/viewer/scene_editor.cpp": (440, "fields of the kinds of keys, and the panel of them"),
     "src/cli/capture_options.cpp:add_capture_options": (90, ROWS),
     "src/plan/bodies_features.cpp:bodies_features": (70, ROWS),
