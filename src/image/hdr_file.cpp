@@ -81,7 +81,7 @@ bool read_scanline(std::string_view& bytes, std::vector<Rgbe>& row) {
 
 // What a line of the header says of the light. Programs agree on the numbers as they are stored, not on these factors (EXPOSURE is what the
 // picture has been multiplied by): they are told of where they are not 1.
-void read_light(const std::string& line, HdrPicture& picture) {
+void read_light(const std::string& line, WholePicture& picture) {
     if (line.starts_with("PRIMARIES=")) {
         Primaries p;
         if (std::sscanf(line.c_str(), "PRIMARIES= %lf %lf %lf %lf %lf %lf %lf %lf", &p.red.x, &p.red.y, &p.green.x,
@@ -104,9 +104,9 @@ void read_light(const std::string& line, HdrPicture& picture) {
 
 bool is_hdr(std::string_view bytes) { return bytes.starts_with("#?RADIANCE\n") || bytes.starts_with("#?RGBE\n"); }
 
-Result<HdrPicture> decode_hdr(std::string_view file, long long max_pixels) {
+Result<WholePicture> decode_hdr(std::string_view file, long long max_pixels) {
     std::string_view bytes = file;
-    HdrPicture picture;
+    WholePicture picture;
     for (std::string line = next_line(bytes); !line.empty(); line = next_line(bytes)) {
         if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe")
             return bad_input(fmt::format("unsupported HDR {}", line));

@@ -67,7 +67,7 @@ Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::ve
                                 int quality, const std::string& xmp = {});
 
 // Of a file that is held whole.
-struct HdrPicture {
+struct WholePicture {
     Image<float> image;  // linear light
     int orientation = 1;
     std::optional<Mat3> to_rec709{};
@@ -76,7 +76,12 @@ struct HdrPicture {
 // Radiance RGBE (.hdr).
 bool is_hdr(std::string_view bytes);
 // bytes: a whole file. Errors: cut off, damaged, columns before rows, another colour format, larger than max_pixels.
-Result<HdrPicture> decode_hdr(std::string_view bytes, long long max_pixels);
+Result<WholePicture> decode_hdr(std::string_view bytes, long long max_pixels);
+
+// TIFF and BigTIFF, the first page; 3 channels, or 4 with alpha.
+bool is_tiff(std::string_view bytes);
+// Errors: cut off, damaged, a kind of numbers or colours that libtiff does not convert, larger than max_pixels.
+Result<WholePicture> decode_tiff(std::string_view bytes, long long max_pixels);
 
 // The one picture in an OpenEXR file: colours as they are stored, multiplied by alpha; 3 channels, or 4 if it has alpha that is wanted.
 struct ExrPicture {

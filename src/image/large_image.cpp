@@ -201,11 +201,12 @@ Result<FittedImage> decode_fitted_image(std::string_view bytes, const std::strin
         };
         return read_rows(open, source, bytes.size(), name, limits);
     }
-    if (!is_hdr(bytes)) return unreadable(name, "not a PNG, JPEG, HDR or EXR file");
-    auto hdr = decode_hdr(bytes, std::min(limits.max_pixels, kMaxWhole));
-    if (!hdr) return unreadable(name, hdr.error().message());
-    return made_smaller({{std::move(hdr->image)}, hdr->orientation, hdr->to_rec709, std::move(hdr->unused)}, name,
-                        limits);
+    const auto decode = is_hdr(bytes) ? decode_hdr : is_tiff(bytes) ? decode_tiff : nullptr;
+    if (decode == nullptr) return unreadable(name, "not a PNG, JPEG, HDR, TIFF or EXR file");
+    auto whole = decode(bytes, std::min(limits.max_pixels, kMaxWhole));
+    if (!whole) return unreadable(name, whole.error().message());
+    return made_smaller({{std::move(whole->image)}, whole->orientation, whole->to_rec709, std::move(whole->unused)},
+                        name, limits);
 }
 
 Result<ImageSize> image_size(const std::filesystem::path& path, const std::string& layer) {

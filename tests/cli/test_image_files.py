@@ -52,6 +52,31 @@ def tiled_exr(width, height, value, kind=2, mipmaps=False):
     return start + struct.pack(f"<{len(offsets)}Q", *offsets) + b"".join(blocks)
 
 
+def tiff(width, height, channels, bits, value, order="<", tile=0, extra=None, orientation=1):
+    """Uncompressed; value(x, y) of every channel, floats where they have 32 bits; None: no pixels. tile: side of one, px."""
+    form = {8: "B", 16: "H", 32: "f"}.get(bits)
+    def block(left, top, across, down):
+        return struct.pack(f"{order}{across * down * channels}{form}", *[value(min(left + x, width - 1), min(top + y, height - 1))
+                                                                         for y in range(down) for x in range(across) for _ in range(channels)])
+    blocks = ([] if value is None else [block(x, y, tile, tile) for y in range(0, height, tile) for x in range(0, width, tile)] if tile
+              else [block(0, 0, width, height)])
+    data = b"".join(blocks)
+    places = [8 + sum(map(len, blocks[:i])) for i in range(len(blocks))] or [8]
+    tags = [(256, 4, [width]), (257, 4, [height]), (258, 3, [bits] * channels), (259, 3, [1]), (262, 3, [2 if channels > 2 else 1]), (274, 3, [orientation]),
+            (277, 3, [channels]), (284, 3, [1]), (339, 3, [3 if bits == 32 else 1] * channels)]
+    tags += [(338, 3, [extra])] if extra else []
+    sizes = [len(b) for b in blocks] or [8]
+    tags += [(322, 4, [tile]), (323, 4, [tile]), (324, 4, places), (325, 4, sizes)] if tile else [(273, 4, places), (278, 4, [height]), (279, 4, sizes)]
+    at, rows, more = 8 + len(data) + 6 + 12 * len(tags), b"", b""
+    for tag, kind, numbers in sorted(tags):
+        body = struct.pack(f"{order}{len(numbers)}{'H' if kind == 3 else 'I'}", *numbers)
+        if len(body) > 4:
+            body, more = struct.pack(order + "I", at + len(more)), more + body
+        rows += struct.pack(order + "HHI", tag, kind, len(numbers)) + body.ljust(4, b"\0")
+    head = (b"II" if order == "<" else b"MM") + struct.pack(order + "HI", 42, 8 + len(data))
+    return head + data + struct.pack(order + "H", len(tags)) + rows + bytes(4) + more
+
+
 def flat_jpeg(width, height, codes, adobe=None):
     """One colour, a code for each component, as stored. adobe: the transform that Adobe's marker names."""
     count = len(codes)
@@ -110,6 +135,54 @@ class ImageFiles(support.CliTest):
         self.refused_image("e.exr", ["Z", "beauty.R"])
         self.write("f.exr", plain_exr(64, 32, {"beauty.Y": lambda x, y: 0.3}))
         self.grey_is("f.exr", 0.3)
+
+    def test_a_layer_is_chosen(self):
+        """By sky, disc and ball, in both tracers."""
+        self.write("d.exr", plain_exr(64, 32, {**layer("diffuse.", 0.7), **layer("spec.", 9), **{"n." + c: lambda x, y: 1 for c in "XYZ"}}))
+        self.near(self.drawn("d.exr", size="8x4", sky='image_layer = "diffuse"')[1][3], (0.7,) * 3)
+        self.near(self.drawn("d.exr", size="8x4", sky='image_layer = "spec"')[1][3], (9,) * 3)
+        self.write("b.exr", exr(("beauty", grey(0.7), WHOLE, WHOLE, []), ("diffuse", grey(9), WHOLE, WHOLE, [])))
+        self.near(self.drawn("b.exr", size="8x4", sky='image_layer = "diffuse"')[1][3], (9,) * 3)
+        ball = '[ball]\nposition = [10, 0, 0]\nradius = 8\ntexture = "image"\nimage = "d.exr"\nimage_layer = "diffuse"\n'
+        disc = '[disc]\ninner = 0.5\nouter = 12\ntexture = "image"\nimage = "d.exr"\nimage_layer = "spec"\n'
+        for body, theta, value in ((ball, 90, 0.7), (disc, 5, 9)):
+            for options in ([], ["--renderer", "reference"]):
+                self.write("b.toml", test_image_light.FLAT.format(fov=10).replace("90.0", f"{theta}.0") + '[sky]\nkind = "black"\n' + body)
+                self.run_nullscope("capture", "b.toml", "--size", "8x4", *options, "-o", "drawn.exr")
+                got = support.read_exr((self.folder / "drawn.exr").read_bytes())
+                self.near((got["R"][0][0],), (value,), 2e-3)
+        self.write("s.toml", '[sky]\nkind = "image"\nimage = "d.exr"\nimage_layer = "gloss"\n')
+        self.refused("capture", "s.toml", "--size", "8x4", "-o", "s.png", says=["d.exr", "gloss", '"diffuse"', '"spec"'])
+        self.write("s.toml", '[sky]\nkind = "black"\nimage_layer = "gloss"\n')
+        self.refused("capture", "s.toml", "--size", "8x4", "-o", "s.png", says=["s.toml:3", "sky.image_layer"])
+
+    def test_tiff(self):
+        value = lambda x, y: 20000 + 300 * min(x, 63 - x) + 100 * y   # the view's middle is where both ends meet
+        for name, data in (("lines", tiff(64, 32, 3, 16, value)), ("big end", tiff(64, 32, 3, 16, value, order=">")), ("tiles", tiff(64, 32, 3, 16, value, tile=16)),
+                           ("grey", tiff(64, 32, 1, 16, value)), ("floats", tiff(64, 32, 3, 32, lambda x, y: linear(value(x, y) / 65535)))):
+            self.write("a.tif", data)
+            got = self.drawn("a.tif", size="9x5", fov=20)
+            wanted = wanted if name != "lines" else got
+            self.near(got[2][4], (linear((value(0, 15) + value(0, 16)) / 2 / 65535),) * 3, 0.01)
+            for row, same in zip(got, wanted):
+                for one, other in zip(row, same):
+                    self.near(one, other)
+            self.assertEqual(self.notes, "", name)
+        self.write("b.tif", tiff(64, 32, 3, 8, lambda x, y: 77))
+        self.grey_is("b.tif", linear(77 / 255))
+        self.write("m.tif", tiff(64, 32, 4, 16, lambda x, y: 30000, extra=1))   # associated alpha: codes are multiplied by it
+        self.grey_is("m.tif", 30000 / 65535 * linear(1.0))
+        self.write("u.tif", tiff(64, 32, 4, 16, lambda x, y: 30000, extra=2))
+        self.grey_is("u.tif", 30000 / 65535 * linear(30000 / 65535))
+        self.write("turned.tif", tiff(32, 64, 3, 16, value, orientation=6))
+        self.drawn("turned.tif", size="8x4")
+        whole = tiff(64, 32, 3, 16, value)
+        self.write("cut.tif", whole[:5000])
+        self.refused_image("cut.tif", ["libtiff"])
+        self.write("huge.tif", tiff(60000, 60000, 3, 16, None))
+        self.refused_image("huge.tif", ["60000 x 60000"])
+        self.write("odd.tif", tiff(64, 32, 3, 64, None))
+        self.refused_image("odd.tif", ["64 bits"])
 
     def test_parts_of_an_exr(self):
         depth = ("depth", {"Z": lambda x, y: 1}, WHOLE, WHOLE, [])
