@@ -103,6 +103,8 @@ void add_capture_options(Command& command, CaptureOptions& options) {
                   "driver's limit)");
     number_option(command, "--quality", options.quality, 1, 100,
                   fmt::format("Quality of a .jpg: lower means smaller files (default {})", kJpegQuality));
+    command.add_option("--bits", &options.bits, "Bits of each colour of a .png: 8 (the default) or 16; a .tif has 16")
+        .one_of({"8", "16"});
     command.add_flag(
         "--plain", &options.plain,
         fmt::format("No dividing line, labels or scale bar over a displayed picture or film ({} have none)",

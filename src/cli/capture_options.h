@@ -22,6 +22,7 @@ struct CaptureOptions : DrawOptions {
     std::optional<int> time_frame;  // that has the scene's time
     std::optional<double> max_error;
     std::optional<int> quality;  // of a JPEG
+    std::string bits;            // of a colour of a displayed picture: "8", "16"; empty: as its format has it
     int workers = 1;
     std::vector<std::string> ffmpeg;  // options for the film
     std::string tiles = "auto";
@@ -35,11 +36,13 @@ struct CaptureOptions : DrawOptions {
     bool to_exr() const { return format() == &kExrFormat; }
     bool to_linear_light() const { return format() != nullptr && format()->sample == Sample::kLight; }
     bool to_film() const { return is_film(output); }
+    bool words_asked() const { return bits == "16" && format_has("--bits"); }
     bool to_one_picture() const;  // neither a film nor numbered frames
     // What drawing needs to know of the file.
     DrawOptions drawing() const {
         DrawOptions options = *this;
         options.sample = format() != nullptr ? format()->sample : Sample::kByte;
+        if (words_asked()) options.sample = Sample::kWord;
         options.in_bands = !to_exr();  // its bands go straight into the file
         options.stokes = !half && !to_film() && (to_linear_light() || to_one_picture());
         return options;

@@ -32,6 +32,11 @@ constexpr OptionAsked kAsked[] = {
     {"--largest-texture", [](const CaptureOptions& o, const Scene&) { return o.largest_texture.has_value(); }},
     {"--samples", [](const CaptureOptions& o, const Scene&) { return o.samples.has_value(); }},
     {"--quality", [](const CaptureOptions& o, const Scene&) { return o.quality.has_value(); }},
+    {"--bits", [](const CaptureOptions& o, const Scene&) { return !o.bits.empty(); }},
+    {"8 bits of TIFF",
+     [](const CaptureOptions& o, const Scene&) {
+         return o.bits == "8" && o.format() != nullptr && o.format()->sample == Sample::kWord;
+     }},
     {"--workers", [](const CaptureOptions& o, const Scene&) { return o.workers > 1; }},
     {"--resume", [](const CaptureOptions& o, const Scene&) { return o.resume; }},
     {"one picture", [](const CaptureOptions& o, const Scene&) { return o.to_one_picture(); }},
@@ -73,6 +78,8 @@ const std::vector<OptionRule>& option_rules() {
          false,
          "--workers: one picture is drawn by one process; give --frames A:B or a film"},
         {"--quality", {}, true, "--quality is for JPEG; give -o FILE.jpg"},
+        {"8 bits of TIFF", {"--bits"}, false, "--bits 8: a .tif has 16 bits a colour", "16"},
+        {"--bits", {}, true, "--bits is for PNG and TIFF; give -o FILE.png or -o FILE.tif"},
         {"--layers",
          {"--split,--beside", "--renderer"},
          true,

@@ -52,6 +52,7 @@ std::string recorded_options(const RunOptions& run, const Scene& scene) {
     if (options.layers) words.emplace_back("--layers");
     if (!options.st_map.empty()) add("--st-map", options.st_map);
     if (options.format_has("--quality")) add("--quality", options.quality.value_or(kJpegQuality));
+    if (options.words_asked() && options.format()->sample != Sample::kWord) add("--bits", options.bits);
     if (options.plain && !options.to_linear_light()) words.emplace_back("--plain");
     if (run.frame) words.push_back(fmt::format("--frames {}:{}", *run.frame, *run.frame + 1));
     if (run.whole_film && options.time_step != 0) add("--time-step", options.time_step);
@@ -78,10 +79,10 @@ Result<CaptureOptions> with_recorded(CaptureOptions options, const OpenedScene& 
             without_controls(fmt::format("{}: {}: {}", options.scene, kOptionsWord, asked.error().message())));
 
     const Names out = displaced(options, {options.given.begin(), options.given.end()}), lost = without_place(options);
-    static constexpr std::array<std::string_view, 17> kRecorded = {
+    static constexpr std::array<std::string_view, 18> kRecorded = {
         "--renderer", "--samples", "--method",    "--tiles",      "--largest-texture", "--half",
         "--raydata",  "--layers",  "--st-map",    "--quality",    "--plain",           "--frames",
-        "--size",     "--time",    "--time-step", "--time-frame", "--max-error"};
+        "--size",     "--time",    "--time-step", "--time-frame", "--max-error",       "--bits"};
     std::vector<std::string_view> left_out;
     for (std::size_t i = 0; i < command.options().size(); ++i) {
         const Option& option = *command.options()[i];
@@ -91,7 +92,7 @@ Result<CaptureOptions> with_recorded(CaptureOptions options, const OpenedScene& 
             continue;
         if (!names_one(lost, option.names))
             copy_value(option, *ours.options()[i]);
-        else if (option.names != "--quality")
+        else if (option.names != "--quality" && option.names != "--bits")
             left_out.push_back(option.names);
     }
     options.one_frame = !options.frames.empty() && !names_one(out, "--frames") && !names_frames(options.output);

@@ -32,17 +32,31 @@ Result<Image<float>> load_image(const std::filesystem::path& path, long long max
     return std::move(fitted->image);
 }
 
-Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image,
-                const std::map<std::string, std::string>& texts) {
-    const long long row_bytes = static_cast<long long>(image.width) * image.channels;
+namespace {
+
+template <class T>
+Status save_png_of(const std::filesystem::path& path, const Image<T>& image,
+                   const std::map<std::string, std::string>& texts) {
+    const long long row = static_cast<long long>(image.width) * image.channels;
     if (image.width <= 0 || image.height <= 0 || (image.channels != 3 && image.channels != 4) ||
-        static_cast<long long>(image.data.size()) != row_bytes * image.height ||
-        row_bytes * image.height > std::numeric_limits<int>::max())
+        static_cast<long long>(image.data.size()) != row * image.height ||
+        row * image.height > std::numeric_limits<int>::max())
         return failed(fmt::format("cannot write '{}': {} x {} pixels of {} channels are no PNG image", path.string(),
                                   image.width, image.height, image.channels));
     const Result<std::string> bytes = encode_png(image, texts);
     if (!bytes) return failed(fmt::format("cannot write '{}': {}", path.string(), bytes.error().message()));
     return write_text_atomically(path, *bytes);
+}
+
+}  // namespace
+
+Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image,
+                const std::map<std::string, std::string>& texts) {
+    return save_png_of(path, image, texts);
+}
+Status save_png16(const std::filesystem::path& path, const Image<unsigned short>& image,
+                  const std::map<std::string, std::string>& texts) {
+    return save_png_of(path, image, texts);
 }
 
 Status save_jpeg(const std::filesystem::path& path, const Image<unsigned char>& image, const std::string& comment,

@@ -26,6 +26,8 @@ Result<Image<float>> decode_image(std::string_view bytes, const std::string& nam
 // 3 or 4 channels of 8 bits, already display-encoded. texts: what the file says of itself, by keyword ("Title", "Software").
 Status save_png(const std::filesystem::path& path, const Image<unsigned char>& image,
                 const std::map<std::string, std::string>& texts = {});
+Status save_png16(const std::filesystem::path& path, const Image<unsigned short>& image,  // 16 bits a channel
+                  const std::map<std::string, std::string>& texts = {});
 
 // 3 channels of 8 bits, already display-encoded; colours at full resolution (4:4:4). quality: libjpeg's, 1 to 100; at 92 stars and
 // thin rings keep their edges. comment: at most 65533 bytes. texts: what the file says of itself (image/picture_texts.h), as further comments.

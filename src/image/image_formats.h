@@ -61,6 +61,9 @@ inline constexpr std::size_t kMostMarkerBytes = 65533;  // of JPEG
 inline constexpr std::string_view kXmpMark("http://ns.adobe.com/xap/1.0/\0",
                                            29);  // with which JPEG's marker of XMP begins
 
+// The same of 16 bits a channel.
+Result<std::string> encode_png(const Image<unsigned short>& image, const std::map<std::string, std::string>& texts);
+
 // 3 channels of 8 bits, 1 to 65500 px a side. comments: of at most kMostMarkerBytes each. xmp: a packet; empty: none. Errors: as libjpeg
 // says, a packet longer than a marker.
 Result<std::string> encode_jpeg(const Image<unsigned char>& image, const std::vector<std::string>& comments,

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <png.h>
 
+#include <bit>
 #include <cmath>
 #include <csetjmp>
 #include <cstdlib>
@@ -242,10 +243,12 @@ public:
     PngEncoder(const PngEncoder&) = delete;
     PngEncoder& operator=(const PngEncoder&) = delete;
 
-    bool encode(const Image<unsigned char>& image) {
+    template <class T>
+    bool encode(const Image<T>& image) {
         if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) return false;  // NOLINT
         png_set_write_fn(png_, this, on_write, nullptr);
-        png_set_IHDR(png_, info_, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+        png_set_IHDR(png_, info_, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+                     8 * static_cast<int>(sizeof(T)),
                      image.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
@@ -253,7 +256,8 @@ public:
         png_set_compression_buffer_size(png_, kChunk);
         png_set_text(png_, info_, texts_.data(), static_cast<int>(texts_.size()));
         png_write_info(png_, info_);
-        for (int y = 0; y < image.height; ++y) png_write_row(png_, image.at(0, y));
+        if (sizeof(T) > 1 && std::endian::native == std::endian::little) png_set_swap(png_);
+        for (int y = 0; y < image.height; ++y) png_write_row(png_, reinterpret_cast<const png_byte*>(image.at(0, y)));
         png_write_end(png_, info_);
         return true;
     }
@@ -283,6 +287,13 @@ private:
     std::vector<png_text> texts_;
     std::string bytes_, error_ = "out of memory";
 };
+
+template <class T>
+Result<std::string> encoded(const Image<T>& image, const std::map<std::string, std::string>& texts) {
+    PngEncoder encoder(texts);
+    if (!encoder.encode(image)) return failed(encoder.error());
+    return std::move(encoder.bytes());
+}
 
 constexpr std::string_view kPngMark = "\x89PNG\r\n\x1a\n";
 
@@ -318,9 +329,10 @@ Result<std::unique_ptr<RowReader>> open_png_rows(ByteSource source) {
 }
 
 Result<std::string> encode_png(const Image<unsigned char>& image, const std::map<std::string, std::string>& texts) {
-    PngEncoder encoder(texts);
-    if (!encoder.encode(image)) return failed(encoder.error());
-    return std::move(encoder.bytes());
+    return encoded(image, texts);
+}
+Result<std::string> encode_png(const Image<unsigned short>& image, const std::map<std::string, std::string>& texts) {
+    return encoded(image, texts);
 }
 
 const PictureFormat kPngFormat = {
@@ -328,15 +340,16 @@ const PictureFormat kPngFormat = {
     .ending = ".png",
     .other = "",
     .sample = Sample::kByte,
-    .help = "8 bits, display-ready",
-    .options = "",
+    .help = "8 or 16 bits, display-ready",
+    .options = "--bits",
     .is = [](std::string_view bytes) { return bytes.starts_with(kPngMark); },
     .texts = png_texts_of,
     .save =
         [](const std::filesystem::path& path, const DisplayedPicture& picture) {
             Texts texts = picture.texts;
             texts.insert({{"Title", picture.title}, {"Software", picture.software}});
-            return save_png(path, picture.bytes, texts);
+            return picture.words.empty() ? save_png(path, picture.bytes, texts)
+                                         : save_png16(path, picture.words, texts);
         },
 };
 

@@ -226,7 +226,7 @@ const PictureFormat kTiffFormat = {
     .other = ".tiff",
     .sample = Sample::kWord,
     .help = "16 bits, display-ready",
-    .options = "",
+    .options = "--bits",
     .is =
         [](std::string_view bytes) {
             return bytes.starts_with({"II*\0", 4}) || bytes.starts_with({"MM\0*", 4});

@@ -130,6 +130,8 @@ class Pictures(support.CliTest):
         self.run_nullscope("capture", "first-light", "--size", "%dx%d" % SIZE, "-o", "b.jpg", "--quality", "50")
         self.assertLess(2 * (self.folder / "b.jpg").stat().st_size, len(data))
         self.refused("capture", "flat", "--quality", "50", "-o", "c.png", says=["--quality", ".jpg"])
+        self.refused("capture", "flat", "--bits", "16", "-o", "c.jpg", says=["--bits", "PNG", "TIFF"])
+        self.refused("capture", "flat", "--bits", "8", "-o", "c.tif", says=["--bits 8", "16 bits"])
         self.refused("capture", "flat", "--quality", "101", "-o", "c.jpg", says=["--quality", "100"])
         self.refused("capture", "flat", "--raydata", "-o", "b.jpg", says=["--raydata", ".exr"])
         self.refused("capture", "flat", "--size", "64x36", "-o", "missing/b.jpg", status=1, says=["missing/b.jpg"])

@@ -12,7 +12,7 @@ import zlib
 from pathlib import Path
 
 import support
-from image_bytes import attribute, exr_attributes, jpeg_segments, png
+from image_bytes import attribute, exr_attributes, jpeg_segments, png, png_chunks
 from test_astronomy import read_fits
 from test_pictures import png_texts
 
@@ -88,6 +88,21 @@ def read_tiff(data):
         for i in range(3 * width * y + 3, 3 * width * (y + 1)):
             codes[i] = codes[i] + codes[i - 3] & 0xffff   # the predictor: differences from the pixel before
     return tags, width, height, codes
+
+
+def words_of_png(data):
+    """Colours of 16 bits; rows of filter 0, or 1: differences of bytes from the pixel before."""
+    chunks = list(png_chunks(data))
+    width, height, bits, kind = struct.unpack(">IIBB", dict(chunks)[b"IHDR"][:10])
+    assert (bits, kind) == (16, 2)
+    plain, words = zlib.decompress(b"".join(body for name, body in chunks if name == b"IDAT")), []
+    for y in range(height):
+        row = bytearray(plain[y * (6 * width + 1):(y + 1) * (6 * width + 1)])
+        assert row[0] in (0, 1)
+        for i in range(7, len(row) if row[0] else 0):
+            row[i] = row[i] + row[i - 6] & 255
+        words += struct.unpack(f">{3 * width}H", row[1:])
+    return words
 
 
 def fits_texts(data):
@@ -359,6 +374,19 @@ class Tiff(support.CliTest):
                 self.assertEqual(decoded, codes.tobytes())
         self.assertEqual(tags[269], "First light")
         self.assertRegex(tags[305], r"^nullscope \d")
+
+    def test_a_png_of_16_bits_is_the_tiff(self):
+        for options in ([], ["--renderer", "reference", "--samples", "1"]):
+            self.run_nullscope("capture", "first-light", "--size", "48x27", *options, "-o", "a.tif")
+            self.run_nullscope("capture", "first-light", "--size", "48x27", *options, "--bits", "16", "-o", "a.png")
+            parts = dict(png_chunks((self.folder / "a.png").read_bytes()))
+            self.assertEqual(struct.unpack(">IIBB", parts[b"IHDR"][:10]), (48, 27, 16, 2))
+            self.assertEqual(words_of_png((self.folder / "a.png").read_bytes()), list(read_tiff((self.folder / "a.tif").read_bytes())[3]))
+        self.run_nullscope("capture", "a.png", "-o", "again.png")   # it holds the option too
+        self.assertEqual(dict(png_chunks((self.folder / "again.png").read_bytes()))[b"IHDR"][8], 16)
+        self.run_nullscope("capture", "first-light", "--size", "48x27", "-o", "b.png")
+        self.run_nullscope("capture", "first-light", "--size", "48x27", "--bits", "8", "-o", "c.png")
+        self.assertEqual((self.folder / "b.png").read_bytes(), (self.folder / "c.png").read_bytes())
 
     def test_a_tiff_says_srgb(self):
         """The profile's curve and primaries, by the numbers of IEC 61966-2-1; D50's Y of the primaries is 1 in all."""

@@ -83,6 +83,7 @@ TEST_CASE("a hundred random changes of scene and options: each gives another sta
             case 10: run.scene.camera.width += number; break;
             case 11: run.options.plain = true; break;
             case 12: run.options.quality = number; break;
+            case 13: run.options.bits = "16", run.options.output = "film%05d.png"; break;
             default: change_key(run.scene, random);
         }
         CAPTURE(changes);
