@@ -136,6 +136,28 @@ class Pictures(support.CliTest):
         self.refused("capture", "flat", "--raydata", "-o", "b.jpg", says=["--raydata", ".exr"])
         self.refused("capture", "flat", "--size", "64x36", "-o", "missing/b.jpg", status=1, says=["missing/b.jpg"])
 
+    def test_intensities_of_a_mesh(self):
+        """Half of them: of light exactly 0.5, or 0.5^2.2; of displayed values up to half 0.5 to 6 of 255, in both tracers."""
+        for name, i in (("one", 1), ("half", 0.5)):
+            self.write(name + ".data", f"2\n2 2\n-2 -1 0 0 {i}\n2 -1 1 0 {i}\n-2 1 0 1 {i}\n2 1 1 1 {i}\n")
+        def draw(mesh, kind, file, *options):
+            self.write("w.toml", f'[camera]\nr = 12\nwarp = "{mesh}.data"\nwarp_intensity = "{kind}"\n[sky]\nkind = "noise"\n[disc]\n[picture]\nrefine = "off"\n')
+            self.run_nullscope("capture", "w.toml", "--size", "64x36", *options, "-o", file)
+            data = (self.folder / file).read_bytes()
+            if file.endswith(".exr"):
+                return [v for c in "RGB" for row in support.read_exr(data)[c] for v in row]
+            return list(read_png(self.folder / file).data)
+        for options in ([], ["--renderer", "reference", "--samples", "1"]):
+            whole = draw("one", "linear", "a.exr", *options)
+            for kind, factor in (("linear", 0.5), ("display", 0.5 ** 2.2)):
+                for one, other in zip(draw("half", kind, "b.exr", *options), whole):
+                    self.assertAlmostEqual(one, factor * other, delta=1e-5 * other + 1e-9)
+        whole, dimmed = draw("one", "linear", "a.png"), draw("half", "display", "b.png")
+        dark = [(v, d) for v, d in zip(whole, dimmed) if v <= 128]
+        self.assertGreater(len(dark), 1000)
+        self.assertLessEqual(max(abs(d - v / 2) for v, d in dark), 6.5)
+        self.assertLessEqual(max(abs(d - v / 2) for v, d in zip(whole, dimmed)), 64.5)
+
     def sphere(self, name):
         """What the file says in Google's namespace of XMP; None: nothing."""
         data = (self.folder / name).read_bytes()
