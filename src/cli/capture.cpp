@@ -331,7 +331,7 @@ Status finish_film(const Job& job, const CaptureOptions& options, FrameStore& st
     const int count = job.frames.end - job.frames.first;
     TRY(words, film_words(job, options, store.file(job.frames.first)));
     TRY(made, encode_film({film_folder(options), job.frames.first, count, rate, options.output, options.ffmpeg,
-                           std::move(*words)}));
+                           std::move(*words), sphere_in(job, options.time_step, job.frames)}));
     std::error_code error;
     std::filesystem::remove_all(film_folder(options), error);
     const auto [width, height] = stereo_size(job.scene.camera);

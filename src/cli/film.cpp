@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <string_view>
 
 #include "base/atomic_file.h"
@@ -23,14 +24,13 @@ using FilmWords = std::vector<std::string>;
 struct FilmKind {
     const char *ending, *options;
     bool is_rgb = false;
-    const char* texts = "";  // so that it says what it was made from by any keyword
+    bool is_mp4 = false;  // or QuickTime
 };
-constexpr const char* kAnyKeyword = "-movflags +use_metadata_tags";
+constexpr const char* kAnyKeyword = "-movflags +use_metadata_tags";  // so that MP4 says what it was made from
 constexpr std::array kKinds{
-    FilmKind{".mp4", "-c:v libx264 -crf 16 -pix_fmt yuv420p -movflags +faststart", false,
-             kAnyKeyword},  // plays everywhere
+    FilmKind{".mp4", "-c:v libx264 -crf 16 -pix_fmt yuv420p -movflags +faststart", false, true},  // plays everywhere
     FilmKind{".mov", "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le", false,
-             kAnyKeyword},                                                   // ProRes 422 HQ, to be edited
+             true},                                                          // ProRes 422 HQ, to be edited
     FilmKind{".mkv", "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt bgr0", true},  // without loss
     FilmKind{".webm", "-c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -pix_fmt yuv420p"},
 };
@@ -108,6 +108,50 @@ bool names_codec(const std::string& option) {
     return std::ranges::find(kNames, option) != kNames.end();
 }
 
+bool names_filter(const std::string& option) {
+    return option == "-vf" || option == "-lavfi" || option.starts_with("-filter");
+}
+
+// ffmpeg into a file `part`, which it takes for one of film.output's kind.
+Status encode_into(const Film& film, const std::string& texts, const std::filesystem::path& part) {
+    FilmWords words;
+    // -xerror: without it the status is 0 also where the film's end could not be written.
+    add_words(words, fmt::format("ffmpeg -y -xerror -loglevel error -framerate {} -start_number {} -i", film.rate,
+                                 film.first));
+    words.push_back(percent_doubled(film.folder) + "/%05d.png");
+    const FilmKind& kind = *kind_of(film.output);
+    words.insert(words.end(), {"-f", "ffmetadata", "-i", texts, "-map_metadata", "1"});
+    add_words(words, fmt::format("-frames:v {} -vf {}{}", film.count, kEvenSides, kind.is_rgb ? "" : kYuv));
+    if (std::ranges::none_of(film.options, names_codec)) add_words(words, kind.options);
+    if (kind.is_mp4) add_words(words, kAnyKeyword);
+    words.insert(words.end(), film.options.begin(), film.options.end());
+    words.push_back(part.string());
+    const Ended ended = run_quietly(std::move(words));
+    if (ended.how.empty()) return Done{};
+    const std::string why = ended.said.empty() ? ended.how : fmt::format("{}: {}", ended.how, ended.said);
+    return failed((ended.found ? fmt::format("ffmpeg could not write {} ({})", film.output, why)
+                               : std::string("ffmpeg is not installed")) +
+                  "; the pictures are in " + film.folder);
+}
+
+// ffmpeg has no option for what a film shows of the sphere: it is put into a copy.
+Status encode_sphere(const Film& film, const std::string& texts) {
+    const std::filesystem::path plain = film.folder + "/film" + kind_of(film.output)->ending;
+    Status made =
+        write_atomically(plain, [&](const std::filesystem::path& part) { return encode_into(film, texts, part); });
+    if (!made) return made;
+    made = write_stream_atomically(film.output, [&](std::ostream& output) -> Status {
+        std::ifstream input(plain, std::ios::binary);
+        Status copied = copy_with_sphere(input, *film.sphere, output);
+        if (copied) return copied;
+        return failed(fmt::format("{} could not be marked as a film of the sphere ({}); the pictures are in {}",
+                                  film.output, copied.error().what, film.folder));
+    });
+    std::error_code ignored;
+    std::filesystem::remove(plain, ignored);
+    return made;
+}
+
 }  // namespace
 
 bool is_film(const std::string& name) { return kind_of(name) != nullptr; }
@@ -123,26 +167,10 @@ bool have_ffmpeg() { return run_quietly({"ffmpeg", "-loglevel", "quiet", "-versi
 Status encode_film(const Film& film) {
     const std::string texts = film.folder + "/texts";
     TRY(said, write_text_atomically(texts, ffmetadata(film.texts)));
-    return write_atomically(film.output, [&](const std::filesystem::path& part) -> Status {
-        FilmWords words;
-        // -xerror: without it the status is 0 also where the film's end could not be written.
-        add_words(words, fmt::format("ffmpeg -y -xerror -loglevel error -framerate {} -start_number {} -i", film.rate,
-                                     film.first));
-        words.push_back(percent_doubled(film.folder) + "/%05d.png");
-        const FilmKind& kind = *kind_of(film.output);
-        words.insert(words.end(), {"-f", "ffmetadata", "-i", texts, "-map_metadata", "1"});
-        add_words(words, fmt::format("-frames:v {} -vf {}{}", film.count, kEvenSides, kind.is_rgb ? "" : kYuv));
-        if (std::ranges::none_of(film.options, names_codec)) add_words(words, kind.options);
-        if (*kind.texts != 0) add_words(words, kind.texts);
-        words.insert(words.end(), film.options.begin(), film.options.end());
-        words.push_back(part.string());
-        const Ended ended = run_quietly(std::move(words));
-        if (ended.how.empty()) return Done{};
-        const std::string why = ended.said.empty() ? ended.how : fmt::format("{}: {}", ended.how, ended.said);
-        return failed((ended.found ? fmt::format("ffmpeg could not write {} ({})", film.output, why)
-                                   : std::string("ffmpeg is not installed")) +
-                      "; the pictures are in " + film.folder);
-    });
+    if (film.sphere && kind_of(film.output)->is_mp4 && std::ranges::none_of(film.options, names_filter))
+        return encode_sphere(film, texts);
+    return write_atomically(film.output,
+                            [&](const std::filesystem::path& part) { return encode_into(film, texts, part); });
 }
 
 }  // namespace nullscope::cli

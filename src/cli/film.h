@@ -1,10 +1,12 @@
 // Films: numbered pictures made into one file by the ffmpeg program.
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "image/sphere_film.h"
 
 namespace nullscope::cli {
 
@@ -25,8 +27,10 @@ struct Film {
     // left out.
     std::vector<std::string> options{};
     std::map<std::string, std::string> texts{};  // what it says of itself, by keyword
+    // What it shows of the sphere: said in .mp4 and .mov, unless an option of ffmpeg filters the pictures.
+    std::optional<FilmSphere> sphere{};
 };
-// Under its name only when complete. Errors: ffmpeg is missing or fails; one line, with the first that it said.
+// Under its name only when complete. Errors: ffmpeg is missing or fails; one line, with the first that it said; those of copy_with_sphere.
 Status encode_film(const Film& film);
 
 }  // namespace nullscope::cli

@@ -13,6 +13,7 @@
 #include "render/picture_layers.h"
 #include "scene/medium_dumps.h"
 #include "scene/split.h"
+#include "scenefile/photo_sphere.h"
 #include "shaderlib/frontier.h"
 
 namespace nullscope::cli {
@@ -90,6 +91,15 @@ Status check_times(const Shot& shot, double time_step, Frames frames, const std:
                 }
     }
     return Done{};
+}
+
+std::optional<FilmSphere> sphere_in(const Shot& shot, double time_step, Frames frames) {
+    if (shot.split || shot.scene.split) return {};
+    const auto of = [&](int frame) { return film_sphere(scene_at(shot, time_step, frame).camera); };
+    const auto sphere = of(frames.first);
+    for (int frame = frames.first + 1; sphere && frame < frames.end; ++frame)
+        if (of(frame) != sphere) return {};
+    return sphere;
 }
 
 Result<Method> chosen_method(const std::string& name, std::optional<double> max_error, const Scene& scene,

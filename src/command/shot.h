@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "command/arguments.h"
 #include "command/capture_picture.h"
+#include "image/sphere_film.h"
 #include "observer/path.h"
 #include "scene/exposure.h"
 #include "scene/scene.h"
@@ -29,6 +30,9 @@ Exposure exposure_in(const Shot& shot, double time_step, int frame);
 // them: an error says file, frame and the times that are allowed.
 std::vector<double> times_in(const Shot& shot, double time_step, Frames frames);
 Status check_times(const Shot& shot, double time_step, Frames frames, const std::string& file);
+
+// What all of these frames show of the sphere, for a film's file. Nothing: they are none of it, or their fields of view differ.
+std::optional<FilmSphere> sphere_in(const Shot& shot, double time_step, Frames frames);
 
 // By its name, or "auto": the cheapest that was measured to keep max_error (px); said to the listener.
 Result<Method> chosen_method(const std::string& name, std::optional<double> max_error, const Scene& scene,

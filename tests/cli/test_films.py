@@ -10,6 +10,7 @@ import re
 import resource
 import shutil
 import signal
+import struct
 import subprocess
 import unittest
 
@@ -183,6 +184,23 @@ class Encoders(FilmTest):
         self.run_nullscope("capture", "again.toml", *said["nullscope.options"].split(" -- ")[0].split(), "-o", "again%d.png")
         self.assertEqual([hashlib.sha256((self.folder / f"again{n}.png").read_bytes()).hexdigest() for n in (2, 3, 4)], self.hashes("film.mkv"))
 
+    def test_films_of_the_sphere_that_cannot_be_marked(self):
+        """Where ffmpeg wrote something else there is one line, the pictures stay and no film; a filter of one's own, other kinds and a
+        changing field of view are not marked."""
+        self.write("scene.toml", SCENE + 'projection = "equirectangular"\nfov = 180\n')
+        for ending in (".mp4", ".mov"):
+            ran = self.capture(*self.SHORT, "-o", "film" + ending, status=1)
+            self.assertEqual((ran.out, ran.err.count("\n")), ("", 1), ran)
+            self.assertIn(f"film{ending} could not be marked as a film of the sphere (not an MP4 or QuickTime film", ran.err)
+            self.assertIn(f"the pictures are in film{ending}.frames", ran.err)
+            self.assertEqual([p.name for p in self.folder.glob(f"*film{ending}*") if p.is_file()], [])
+            self.assertEqual(list((self.folder / f"film{ending}.frames").glob("*film*")), [])
+        self.capture(*self.SHORT, "-o", "film.mp4", "--", "-vf", "v360=e:c3x2")
+        self.capture(*self.SHORT, "-o", "film.mkv")
+        self.write("zoom.csv", "frame,r,fov\n0,9,180\n1,9,170\n")
+        self.write("scene.toml", SCENE + 'size = [16, 9]\nprojection = "equirectangular"\n[path]\nkind = "keys"\nfile = "zoom.csv"\n')
+        self.capture("-o", "zoom.mov")
+
     def test_words_for_ffmpeg_without_a_film(self):
         for words in (("-o", "a.png", "--", "-crf", "12"), ("more", "-o", "film.mp4"), ("more",)):
             self.refused("capture", "scene.toml", *self.SHORT, *words, says=["not expected here", "after --"],
@@ -251,6 +269,28 @@ class RealFfmpeg(support.CliTest):
             meant = self.frame("f0.png", "rgb24")[middle:middle + 3]
             for a, b in zip(shown, meant):
                 self.assertLessEqual(abs(a - b), 0 if name.endswith(".mkv") else 4, (name, list(shown), list(meant)))
+
+    def test_films_of_the_sphere(self):
+        """Which part it is, and of which eyes, by ffprobe; the pictures are found where the file says."""
+        camera = SCENE + 'projection = "equirectangular"\n'
+        quarter = 1 << 30   # of 2^32
+        for words, eyes, projection, bounds in (
+                ("size = [64, 32]", None, "equirectangular", (0, 0, 0, 0)),
+                ('size = [64, 32]\nstereo = "all-round"', "top and bottom", "equirectangular", (0, 0, 0, 0)),
+                ("size = [64, 64]\nfov = 180", None, "tiled equirectangular", (0, 0, quarter, quarter))):
+            self.write("scene.toml", camera + words)
+            self.run_nullscope("capture", "scene.toml", *self.MOVING[2:], "-o", "f%d.png")
+            for name in ("film.mp4", "film.mov"):
+                self.run_nullscope("capture", "scene.toml", *self.MOVING[2:], "-o", name)
+                out = subprocess.run(["ffprobe", "-v", "error", "-of", "json", "-show_streams", name], cwd=self.folder, capture_output=True,
+                                     check=True).stdout
+                said = {data.pop("side_data_type"): data for data in json.loads(out)["streams"][0]["side_data_list"]}
+                self.assertEqual(said.get("Stereo 3D", {}).get("type"), eyes, said)
+                self.assertEqual(said["Spherical Mapping"]["projection"], projection)
+                box = (self.folder / name).read_bytes().split(b"equi\0\0\0\0")[1]   # ffprobe rounds to whole px
+                self.assertEqual(struct.unpack(">4I", box[:16]), bounds)
+                shown, meant = (self.frame(file, "gray") for file in (name, "f0.png"))
+                self.assertLess(sum(abs(a - b) for a, b in zip(shown, meant, strict=True)) / len(meant), 6, name)
 
     def test_ffmpeg_refuses(self):
         words = ("capture", "scene.toml", *self.MOVING, "-o", "film.mp4")
