@@ -39,6 +39,8 @@ constexpr const char* kEvenSides = "crop=trunc(iw/2)*2:trunc(ih/2)*2";  // 4:2:0
 constexpr const char* kYuv =
     ",scale=out_color_matrix=bt709,"
     "setparams=colorspace=bt709:color_primaries=bt709:color_trc=iec61966-2-1:range=tv";
+constexpr const char* kRgb =
+    ",setparams=colorspace=gbr:color_primaries=bt709:color_trc=iec61966-2-1:range=pc";  // without a matrix
 
 const FilmKind* kind_of(const std::string& name) {
     const auto* const kind = std::ranges::find_if(kKinds, [&](const FilmKind& k) { return name.ends_with(k.ending); });
@@ -121,7 +123,7 @@ Status encode_into(const Film& film, const std::string& texts, const std::filesy
     words.push_back(percent_doubled(film.folder) + "/%05d.png");
     const FilmKind& kind = *kind_of(film.output);
     words.insert(words.end(), {"-f", "ffmetadata", "-i", texts, "-map_metadata", "1"});
-    add_words(words, fmt::format("-frames:v {} -vf {}{}", film.count, kEvenSides, kind.is_rgb ? "" : kYuv));
+    add_words(words, fmt::format("-frames:v {} -vf {}{}", film.count, kEvenSides, kind.is_rgb ? kRgb : kYuv));
     if (std::ranges::none_of(film.options, names_codec)) add_words(words, kind.options);
     if (kind.is_mp4) add_words(words, kAnyKeyword);
     words.insert(words.end(), film.options.begin(), film.options.end());

@@ -219,7 +219,8 @@ class RealFfmpeg(support.CliTest):
 
     def probe(self, name):
         out = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v", "-of", "json", "-show_entries",
-                              "stream=codec_name,profile,pix_fmt,width,height,r_frame_rate,nb_read_frames,color_space", name],
+                              "stream=codec_name,profile,pix_fmt,width,height,r_frame_rate,nb_read_frames,"
+                              "color_space,color_primaries,color_transfer,color_range", name],
                              cwd=self.folder, capture_output=True, check=True).stdout
         return json.loads(out)["streams"][0]
 
@@ -240,7 +241,8 @@ class RealFfmpeg(support.CliTest):
             self.assertEqual(film["r_frame_rate"], "24/1")
             if codec == "prores":
                 self.assertEqual(film["profile"], "HQ")
-            self.assertEqual(film.get("color_space"), "gbr" if codec == "ffv1" else "bt709")
+            self.assertEqual([film.get(f"color_{of}") for of in ("space", "range", "primaries", "transfer")],
+                             [*(("gbr", "pc") if codec == "ffv1" else ("bt709", "tv")), "bt709", "iec61966-2-1"], name)
         self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", "film.mp4", "--", "-c:v", "mpeg4", "-q:v", "2")
         self.assertEqual(self.probe("film.mp4")["codec_name"], "mpeg4")
 
