@@ -12,11 +12,13 @@
 #include "command/shot.h"
 #include "command/stereo_capture.h"
 #include "image/image_formats.h"
+#include "image/picture_texts.h"
 #include "module/arrays.h"
 #include "module/call.h"
 #include "module/module.h"
 #include "reference/reference.h"
 #include "render/display.h"
+#include "scenefile/photo_sphere.h"
 #include "scenefile/picture_scene.h"
 
 namespace nullscope::python {
@@ -180,16 +182,24 @@ Asked asked_of(const nb::dict& options) {
     return asked;
 }
 
-// Of a simulation's dumps: whose files a picture names.
-Result<std::vector<double>> times_shown(const Scene& scene, const Asked& asked) {
-    cli::Shot shot{scene};
+// Of a picture that there is: without what only drawing needs.
+Result<cli::Shot> shown_shot(const Scene& scene, const Asked& asked) {
+    TRY(sized, cli::sized(scene, asked.size));
+    cli::Shot shot{std::move(*sized)};
     if (asked.time) shot.scene.time = *asked.time;
     if (shot.scene.path) {
         TRY(path, CameraPath::make(shot.scene));
         shot.path = std::move(*path);
     }
-    const int frame = asked.frame.value_or(0);
-    return cli::times_in(shot, 0.0, {frame, frame + 1});
+    return shot;
+}
+
+// The XMP of a panorama; none of an array of another size than was drawn.
+std::string packet_of(const cli::Shot& shot, int frame, const Linear& light) {
+    const CameraSpec camera = cli::scene_at(shot, 0.0, frame).camera;
+    const bool whole = light.shape(1) == static_cast<std::size_t>(camera.width) &&
+                       light.shape(0) == static_cast<std::size_t>(camera.height);
+    return whole && !shot.scene.split ? photo_sphere_packet(camera) : "";
 }
 
 }  // namespace
@@ -223,8 +233,13 @@ void add_picture(nb::module_& m) {
         [](const Scene& scene, const Linear& light, const std::string& options, const nb::dict& asked) {
             PictureOrigin origin{scene, {".", assets_directory() / "scenes"}};
             origin.options = options, origin.version = NULLSCOPE_VERSION;
-            origin.times = value_of(times_shown(scene, asked_of(asked)));
+            const Asked drawn = asked_of(asked);
+            const cli::Shot shot = value_of(shown_shot(scene, drawn));
+            const int frame = drawn.frame.value_or(0);
+            origin.times = cli::times_in(shot, 0.0, {frame, frame + 1});
             auto words = value_of(picture_words(origin));
+            if (std::string packet = packet_of(shot, frame, light); !packet.empty())
+                words[kXmpWord] = std::move(packet);
             words.insert({{"Title", scene.name}, {"Software", "nullscope " NULLSCOPE_VERSION}});
             const std::string bytes = value_of(encode_png(displayed(scene, light), words));
             return nb::bytes(bytes.data(), bytes.size());

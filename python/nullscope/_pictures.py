@@ -33,7 +33,9 @@ class Picture(np.ndarray):
         return _core.displayed(*self._shown())
 
     def png(self) -> bytes:
-        """The bytes of a PNG file of display(), which holds the scene and the options of capture(): scene() opens it again."""
+        """The bytes of a PNG file of display(), which holds the scene and the options of capture(): scene() opens it again.
+
+        Viewers of panoramas read in it which part of the sphere an equirectangular picture of capture()'s size is."""
         return _core.png(*self._shown(), self.options, self.asked)
 
     def _shown(self):

@@ -1,6 +1,7 @@
 """The package against the command line: the same numbers and words, what it costs, how it is stopped, what it leaves behind."""
 import csv
 import os
+import re
 import signal
 import struct
 import subprocess
@@ -93,6 +94,23 @@ class Pictures(Test):
         file.write_bytes(b"\x89PNG\r\n\x1a\n")
         with self.assertRaisesRegex(ns.Error, "drawn.png.*cut off"):
             ns.scene(file)
+
+    def test_a_png_says_which_part_of_the_sphere_it_is(self):
+        """As the command line's does, of the size and frame that were drawn; not of an array of another size, nor of both eyes."""
+        scene, file = self.folder / "sphere.toml", self.folder / "sphere.png"
+        packet = lambda png: re.findall(rb'GPano:(\w+)="(\w+)"', png)
+        for more, options, words in (("", {}, ()), ("fov = 180\n", {}, ()),
+                                     ('[path]\nkind = "keys"\n[[path.key]]\nfov = 180\n[[path.key]]\nframe = 9\nfov = 90\n', {"frame": 9},
+                                      ("--frames", "9:10"))):
+            scene.write_text('[sky]\nkind = "grid"\n[camera]\nr = 9\nprojection = "equirectangular"\n' + more)
+            picture = ns.capture(str(scene), (64, 32), **options)
+            support.command_line("capture", scene, "--size", "64x32", *words, "-o", self.folder / "%d.png" if words else file)
+            meant = packet((self.folder / "9.png" if words else file).read_bytes())
+            self.assertEqual(len(meant), 8)
+            self.assertEqual(packet(picture.png()), meant, more)
+            self.assertEqual(packet(picture[:, 1:].png()), [])
+        scene.write_text('[camera]\nr = 9\nprojection = "equirectangular"\nstereo = "all-round"\n')
+        self.assertEqual(packet(ns.capture(str(scene), (64, 32)).png()), [])
 
     def test_dumps_at_a_time(self):
         for dump in range(3):
