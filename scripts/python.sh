@@ -2,7 +2,7 @@
 # Installs the Python package in a fresh environment, build/python-venv, by pip, and tests it there. Needs PyPI.
 #
 #   scripts/python.sh           all tests of tests/python
-#   scripts/python.sh NAME...   only these: package, docs, grmhd, grmhd_codes
+#   scripts/python.sh NAME...   only these: package, pickle, docs, grmhd, grmhd_codes
 #
 # What build/release has compiled is not compiled again where ccache is installed. In ctest (--tier PROGRAM) at depth all alone.
 set -euo pipefail
@@ -22,7 +22,7 @@ if [[ ${1-} == --tier ]]; then
 else
     "$root/scripts/build.sh" nullscope
 fi
-[[ $# -gt 0 ]] || set -- package docs grmhd grmhd_codes
+[[ $# -gt 0 ]] || set -- package pickle docs grmhd grmhd_codes
 
 export CC=cc CXX=c++   # the compiler's name is part of what ccache goes by
 export PIP_DISABLE_PIP_VERSION_CHECK=1

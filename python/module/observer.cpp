@@ -2,6 +2,7 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <cmath>
@@ -14,26 +15,33 @@
 #include "observer/observer.h"
 #include "observer/pose.h"
 #include "observer/worldline.h"
+#include "scenefile/scene_writer.h"
 
 namespace nullscope::python {
 namespace {
 
 // A camera's place and motion.
 struct Someone {
+    Scene scene;
     Space space;
-    CameraSpec camera;
-    LightSpec light;
     CameraNumbers numbers;
 };
 
 Someone someone_of(const Scene& scene) {
     const Space space = space_of(scene.spacetime);
     value_of(observer_of(*space.metric, scene.camera));
-    return {space, scene.camera, scene.light, camera_numbers(*space.metric, scene.camera)};
+    return {scene, space, camera_numbers(*space.metric, scene.camera)};
+}
+
+// Of its scene what it depends on.
+std::string text_of(const Someone& one) {
+    Scene scene;
+    scene.spacetime = one.scene.spacetime, scene.camera = one.scene.camera, scene.light = one.scene.light;
+    return exact_scene_text(scene, {});
 }
 
 auto tetrad(const Someone& one) {
-    const TetradPair pair = value_of(ingoing_tetrad_pair(*one.space.metric, one.camera));
+    const TetradPair pair = value_of(ingoing_tetrad_pair(*one.space.metric, one.scene.camera));
     Matrix4 sum = pair.high;
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < 4; ++j) sum[i][j] += pair.low[i][j];
@@ -44,7 +52,7 @@ Worldline fall(const Someone& one, const nb::object& given) {
     const double duration = number_of("duration", given);
     if (!(duration > 0.0 && duration <= 1e9))
         throw Refused(bad_key("duration", fmt::format("{} is out of range", duration), "(0, 1e9]"));
-    return value_of(Worldline::make(one.space.metric, one.camera, duration));
+    return value_of(Worldline::make(one.space.metric, one.scene.camera, duration));
 }
 
 constexpr std::size_t kPlaceColumns = 5;
@@ -68,7 +76,7 @@ auto places(const Worldline& line, const nb::object& given) {
 
 auto curve(const Someone& one) {
     std::vector<nb::ndarray<nb::numpy, double>> lines;
-    for (const PictureLine& line : critical_curve(*one.space.metric, one.camera, one.light)) {
+    for (const PictureLine& line : critical_curve(*one.space.metric, one.scene.camera, one.scene.light)) {
         std::vector<double> values;
         for (const auto& [x, y] : line) values.insert(values.end(), {x, y});
         lines.push_back(array_of(std::move(values), {line.size(), 2}));
@@ -88,7 +96,7 @@ auto number(const Someone& one) {
 
 template <double CameraSpec::*member>
 double place(const Someone& one) {
-    return one.camera.*member;
+    return one.scene.camera.*member;
 }
 
 }  // namespace
@@ -111,7 +119,7 @@ void add_observer(nb::module_& m) {
         .def(nb::new_([](const nb::object& scene) { return someone_of(scene_of(scene)); }), nb::arg("scene").none(),
              "scene: whatever nullscope.scene() takes; its metric and camera are used.")
         .def_prop_ro(
-            "kind", [](const Someone& o) { return observer_name(o.camera.observer); },
+            "kind", [](const Someone& o) { return observer_name(o.scene.camera.observer); },
             "The word of scene files: \"static\", \"rain\", ...")
         .def_prop_ro(
             "spacetime", [](const Someone& o) { return o.space; }, "Where it is.")
@@ -121,7 +129,7 @@ void add_observer(nb::module_& m) {
         .def_prop_ro(
             "velocity",
             [](const Someone& o) {
-                const Vec3 v = value_of(observer_of(*o.space.metric, o.camera)).velocity;
+                const Vec3 v = value_of(observer_of(*o.space.metric, o.scene.camera)).velocity;
                 return std::array{v.x, v.y, v.z};
             },
             "Along e_r, e_theta, e_phi of its kind's radial frame, c.")
@@ -142,8 +150,12 @@ void add_observer(nb::module_& m) {
              "upper left corner.")
         .def("fall", fall, nb::arg("duration").none(),
              "The free fall from here for a proper time up to `duration`, r_s/c: a Worldline.")
+        .def("__getnewargs__", [](const Someone& o) { return std::tuple(o.scene); })
+        .def(
+            "__eq__", [](const Someone& a, const Someone& b) { return text_of(a) == text_of(b); }, nb::is_operator())
+        .def("__hash__", [](const Someone& o) { return std::hash<std::string>()(text_of(o)); })
         .def("__repr__", [](const Someone& o) {
-            return fmt::format("<nullscope.Observer {} at r = {:g}>", observer_name(o.camera.observer), o.camera.r);
+            return fmt::format("<nullscope.Observer {} at r = {:g}>", observer_name(o.scene.camera.observer), o.scene.camera.r);
         });
 }
 

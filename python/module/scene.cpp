@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -20,6 +21,19 @@ Scene parsed(const std::string& text, bool lines) {
     throw Refused(error);
 }
 
+// What a pickle holds: files that ship are relative to where they ship, others absolute.
+std::string pickled(const Scene& scene) {
+    std::string text = exact_scene_text(scene, assets_directory() / "scenes");
+    if (text.size() > kLargestSceneFile)
+        throw Refused(bad_input(fmt::format("a scene of {} bytes cannot be pickled", text.size()),
+                                fmt::format("{} bytes", kLargestSceneFile)));
+    return text;
+}
+
+void unpickle(Scene& scene, const std::string& text) {
+    new (&scene) Scene(value_of(parse_scene_in({assets_directory() / "scenes"}, text, "pickled scene")));
+}
+
 }  // namespace
 
 Scene scene_of(const nb::object& given) {
@@ -40,6 +54,8 @@ void add_scene(nb::module_& m) {
         .def(
             "__eq__", [](const Scene& a, const Scene& b) { return scene_file_text(a, {}) == scene_file_text(b, {}); },
             nb::is_operator())
+        .def("__getstate__", pickled)
+        .def("__setstate__", unpickle)
         .def("__hash__", [](const Scene& s) { return std::hash<std::string>()(scene_file_text(s, {})); });
     m.def(
         "load_scene",

@@ -2,6 +2,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <cmath>
@@ -11,6 +12,7 @@
 #include "module/module.h"
 #include "observer/landmarks.h"
 #include "reference/reference.h"
+#include "scenefile/scene_writer.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/photon_shell.h"
 #include "spacetime/registry.h"
@@ -33,6 +35,20 @@ Space make_space(const nb::object& metric, const nb::kwargs& parameters) {
             spec.parameters[name] = number_of(name.c_str(), given);
     }
     return space_of(spec);
+}
+
+// What __new__ makes it again of, for pickle.
+auto arguments_of(const Space& space) {
+    nb::dict parameters;
+    for (const auto& [name, value] : space.spec.parameters) parameters[name.c_str()] = value;
+    for (const auto& [name, formula] : space.spec.parameters.formulas) parameters[name.c_str()] = formula;
+    return std::pair(std::tuple(space.spec.metric), parameters);
+}
+
+std::string text_of(const Space& space) {
+    Scene scene;
+    scene.spacetime = space.spec;
+    return exact_scene_text(scene, {});
 }
 
 double checked_radius(const Spacetime& metric, const nb::object& given) {
@@ -179,6 +195,10 @@ void add_spacetime(nb::module_& m) {
              "delay (r_s/c) of a half orbit.")
         .def("shadow", shadow, nb::arg("r").none(),
              "Angular radius of the shadow seen at rest at r, rad; None about a rotating hole (Observer.shadow_size).")
+        .def("__getnewargs_ex__", arguments_of)
+        .def(
+            "__eq__", [](const Space& a, const Space& b) { return a.spec == b.spec; }, nb::is_operator())
+        .def("__hash__", [](const Space& s) { return std::hash<std::string>()(text_of(s)); })
         .def("__repr__", [](const Space& s) { return fmt::format("<nullscope.Spacetime {}>", s.metric->name()); });
     m.def(
         "spacetime_of", [](const Scene& scene) { return space_of(scene.spacetime); }, nb::arg("scene"));

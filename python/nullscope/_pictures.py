@@ -28,6 +28,9 @@ class Picture(np.ndarray):
         self.options = getattr(source, "options", "")
         self.asked = getattr(source, "asked", {})
 
+    def __reduce__(self):
+        return _picture, (self.view(np.ndarray), self.scene, self.options, self.asked)
+
     def display(self) -> np.ndarray:
         """Display-encoded (bloom, exposure, tone curve, sRGB): uint8, shape (height, width, 3)."""
         return _core.displayed(*self._shown())
@@ -45,6 +48,12 @@ class Picture(np.ndarray):
 
     def _repr_png_(self):
         return self.png() if self.ndim == 3 and self.shape[2] == 3 and self.size and self.scene is not None else None
+
+
+def _picture(light, scene, options, asked):
+    picture = light.view(Picture)
+    picture.scene, picture.options, picture.asked = scene, options, asked
+    return picture
 
 
 def _words(options):
@@ -78,9 +87,7 @@ def capture(scene: SceneLike, size: Size = None, *, renderer: str = "gl", method
     """
     given = _scene(scene)
     options = _options(size, renderer=renderer, method=method, max_error=max_error, samples=samples, time=time, frame=frame, context=context)
-    picture = _core.capture(given, options, progress).view(Picture)
-    picture.scene, picture.options, picture.asked = given, _words(options), options
-    return picture
+    return _picture(_core.capture(given, options, progress), given, _words(options), options)
 
 
 def raydata(scene: SceneLike, size: Size = None, *, renderer: str = "gl", method: str = "auto", max_error: float | None = None,

@@ -77,11 +77,12 @@ std::string path_text(const fs::path& path, const fs::path& base) {
 struct Written {
     fs::path base{};
     const SceneFolders* folders = nullptr;  // of a picture
+    bool exact = false;
     std::string path(const fs::path& path) const {
         return folders != nullptr ? toml_string(path_in(*folders, path)) : path_text(path, base);
     }
     std::string angle(double radians) const {
-        return folders != nullptr ? exact_angle_text(radians) : degrees_text(radians);
+        return exact ? exact_angle_text(radians) : degrees_text(radians);
     }
 };
 
@@ -146,7 +147,7 @@ private:
             if (key.meant != nullptr && !key.meant(holder)) continue;
             if (by_fov_ && full_name(key) == "camera.fov" && holder.camera.focal_distance == 1.0 &&
                 (holder.camera.plane_width != before.camera.plane_width || before.camera.focal_distance != 1.0))
-                if (const auto fov = fov_text(holder.camera, as_.folders != nullptr)) {
+                if (const auto fov = fov_text(holder.camera, as_.exact)) {
                     lines += fmt::format("fov = {}\n", *fov), by_angle = true;
                     continue;
                 }
@@ -269,8 +270,12 @@ std::string scene_file_text(const Scene& scene, const fs::path& base_directory) 
     return Writer(scene, {base_directory}).text();
 }
 
+std::string exact_scene_text(const Scene& scene, const fs::path& base_directory) {
+    return Writer(scene, {base_directory, nullptr, true}).text();
+}
+
 WrittenScene written_scene(const Scene& scene, const SceneFolders& folders) {
-    Writer writer(scene, {{}, &folders});
+    Writer writer(scene, {{}, &folders, true});
     std::string text = writer.text();
     return {std::move(text), writer.files()};
 }

@@ -15,7 +15,10 @@ namespace nullscope {
 // read the same ones; angles that no number of degrees gives exactly are the next one, off by a rounding.
 std::string scene_file_text(const Scene& scene, const std::filesystem::path& base_directory);
 
-// The same as a picture holds it: every number exact, angles that no number of degrees gives as "1.0471975511965976 rad", and paths as path_in() has them.
+// The same, every number exact: angles that no number of degrees gives as "1.0471975511965976 rad".
+std::string exact_scene_text(const Scene& scene, const std::filesystem::path& base_directory);
+
+// The same as a picture holds it: exact too, and paths as path_in() has them.
 struct WrittenScene {
     std::string text;
     std::vector<std::pair<std::string, std::filesystem::path>>
