@@ -3,6 +3,7 @@
 #include <nanobind/stl/string.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "base/text.h"
 
@@ -19,9 +20,16 @@ Refused::Refused(const Error& error) : std::runtime_error(without_controls(error
 
 Error error_of(const std::exception& exception) { return failed(exception.what()); }
 
+bool is_boolean(nb::handle argument) {
+    if (PyBool_Check(argument.ptr()) != 0) return true;
+    if (!nb::hasattr(argument, "dtype")) return false;
+    const nb::object dtype = argument.attr("dtype");
+    return std::string_view(nb::str(nb::handle(dtype)).c_str()) == "bool";
+}
+
 double number_of(const char* name, const nb::object& argument) {
     double number = 0;
-    if (nb::try_cast(argument, number)) return number;
+    if (!is_boolean(argument) && nb::try_cast(argument, number)) return number;
     throw Refused(bad_key(name, std::string(Py_TYPE(argument.ptr())->tp_name) + " is of another kind", "a number"));
 }
 

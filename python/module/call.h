@@ -30,6 +30,9 @@ T value_of(Result<T> result) {
     return std::move(*result);
 }
 
+// bool, and NumPy's: no number here, as none in scene files.
+bool is_boolean(nb::handle argument);
+
 // What an argument is; else Refused, by its name.
 double number_of(const char* name, const nb::object& argument);
 std::string text_of(const char* name, const nb::object& argument);

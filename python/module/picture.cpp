@@ -168,7 +168,7 @@ Image<unsigned char> displayed(const Scene& scene, const Linear& light) {
 Asked asked_of(const nb::dict& options) {
     const auto take = [&]<class T>(const char* name, T& to) {
         if (!options.contains(name) || nb::handle(options[name]).is_none()) return;
-        if (!nb::try_cast(nb::handle(options[name]), to))
+        if (is_boolean(options[name]) || !nb::try_cast(nb::handle(options[name]), to))
             throw Refused(
                 bad_key(name, std::string(Py_TYPE(nb::handle(options[name]).ptr())->tp_name) + " is of another kind",
                         std::is_same_v<T, std::string>          ? "text"

@@ -58,6 +58,13 @@ def _columns(rays):
     return {name: np.broadcast_to(column, (count,)) for name, column in found.items()}, count
 
 
+def _check_whole(name, value, low, high):
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)):
+        raise _core.Error(f"{name}: {type(value).__name__} is of another kind; allowed: a whole number from {low} to {high}")
+    if not low <= value <= high:
+        raise _core.Error(f"{name}: {value} is out of range; allowed: [{low}, {high}]")
+
+
 def trace(scene: SceneLike, rays: np.ndarray | Mapping, with_: str = "reference", *, crossings: int = 0, method: str = "auto",
           context: str = "auto", progress: Progress = None) -> np.ndarray:
     """Traces light rays backward in time from where cameras are, as `nullscope trace` does (docs/ray-data.md).
@@ -74,8 +81,7 @@ def trace(scene: SceneLike, rays: np.ndarray | Mapping, with_: str = "reference"
     """
     given = _scene(scene)
     columns, count = _columns(rays)
-    if not isinstance(crossings, (int, np.integer)) or not 0 <= crossings <= 1000:
-        raise _core.Error(f"crossings: {crossings} is out of range; allowed: [0, 1000]")
+    _check_whole("crossings", crossings, 0, 1000)
     words = {"with_": with_, "method": method, "context": context}
     for name, word in words.items():
         if not isinstance(word, str):
@@ -111,10 +117,7 @@ def worldline(scene: SceneLike, duration: float, steps: int = 200) -> np.ndarray
     About a hole, time is v - r of ingoing coordinates and phi, if it rotates, their azimuth, which stay finite at the horizon; where there is
     no hole, time is t. Observer.fall() has more.
     """
-    if not isinstance(steps, int) or not 1 <= steps <= 10_000_000:
-        raise _core.Error(f"steps: {steps} is out of range; allowed: [1, 10000000]")
-    if isinstance(duration, bool) or not isinstance(duration, (int, float)):
-        raise _core.Error(f"duration: {type(duration).__name__} is of another kind; allowed: a number")
+    _check_whole("steps", steps, 1, 10_000_000)
     line = _core.Observer(_scene(scene)).fall(duration)
     places = line.places(np.linspace(0.0, min(float(duration), line.last), steps + 1))
     return places.view([(name, "f8") for name in ("tau", "time", "r", "theta", "phi")])[:, 0]

@@ -81,9 +81,7 @@ struct Written {
     std::string path(const fs::path& path) const {
         return folders != nullptr ? toml_string(path_in(*folders, path)) : path_text(path, base);
     }
-    std::string angle(double radians) const {
-        return exact ? exact_angle_text(radians) : degrees_text(radians);
-    }
+    std::string angle(double radians) const { return exact ? exact_angle_text(radians) : degrees_text(radians); }
 };
 
 std::string value_text(const SceneKey& key, const KeyValue& value, const Written& as) {

@@ -222,9 +222,24 @@ class Numbers(Test):
                  "object": {"name": np.str_("m87")}, "time": np.array(3.0)}
         plain = {"camera": {"r": 8.0, "size": [64, 36]}, "picture": {"samples": 2}, "object": {"name": "m87"}, "time": 3.0}
         self.assertEqual(ns.scene(given).text, ns.scene(plain).text)
-        for number in (np.bool_(True), np.array(True)):    # no key takes it, but TOML knows it
-            with self.assertRaisesRegex(ns.Error, "boolean"):
-                ns.scene({"camera": {"r": number}})
+
+    def test_booleans_are_neither_numbers_nor_on_and_off(self):
+        one = {"q": 1.0, "zeta0": 0.1, "s": 1}
+        calls = [(lambda true: ns.scene({"camera": {"r": true}}), "scene: camera.r: must be a number, not a boolean; allowed: .*"),
+                 (lambda true: ns.scene({"light": {"delay": true}}), "scene: light.delay: must be a string, not a boolean; allowed: off or on"),
+                 (lambda true: ns.scene("kerr", light={"delay": true}), "scene: light.delay: must be a string, not a boolean; allowed: off or on"),
+                 (lambda true: ns.Spacetime("kerr", spin=true), "spin: .* of another kind; allowed: a number"),
+                 (lambda true: KERR.metric(true), "r: .* of another kind; allowed: a number"),
+                 (lambda true: ns.worldline("kerr", true), "duration: .* of another kind; allowed: a number"),
+                 (lambda true: ns.worldline("kerr", 1.0, true), "steps: .* of another kind; allowed: a whole number from 1 to 10000000"),
+                 (lambda true: ns.trace("sky-only", one, crossings=true), "crossings: .* of another kind; allowed: a whole number from 0 to 1000")]
+        for name, allowed in (("time", "number"), ("max_error", "number"), ("samples", "whole number"), ("frame", "whole number")):
+            calls.append((lambda true, name=name: ns.capture("kerr", (8, 8), **{name: true}), f"{name}: .* of another kind; allowed: a {allowed}"))
+        for call, words in calls:
+            for true in (True, np.bool_(True), np.array(True)):
+                with self.assertRaisesRegex(ns.Error, f"^{words}$"):
+                    call(true)
+        self.assertEqual(ns.worldline("kerr", np.float64(1.0), np.int64(3)).shape, (4,))
 
 
 def errors():
