@@ -123,6 +123,14 @@ auto deflection(const Space& space, const Numbers& impact, const nb::object& pro
     return array_of(std::move(angles), {count});
 }
 
+void add_identity(nb::class_<Space>& spacetime) {
+    spacetime.def("__getnewargs_ex__", arguments_of)
+        .def(
+            "__eq__", [](const Space& a, const Space& b) { return a.spec == b.spec; }, nb::is_operator())
+        .def("__hash__", [](const Space& s) { return std::hash<std::string>()(text_of(s)); })
+        .def("__repr__", [](const Space& s) { return fmt::format("<nullscope.Spacetime {}>", s.metric->name()); });
+}
+
 template <std::optional<double> Landmarks::*member>
 std::optional<double> landmark(const Space& space) {
     return landmarks_of(*space.metric).*member;
@@ -137,9 +145,10 @@ std::vector<std::string> metrics() {
 }  // namespace
 
 void add_spacetime(nb::module_& m) {
-    nb::class_<Space>(m, "Spacetime",
-                      "A metric. Lengths in r_s, of wormholes in the scene's unit; None where a metric has no such "
-                      "thing. About a rotating hole orbits are those in the equatorial plane.")
+    nb::class_<Space> spacetime(m, "Spacetime",
+        "A metric. Lengths in r_s, of wormholes in the scene's unit; None where a metric has no such "
+        "thing. About a rotating hole orbits are those in the equatorial plane.");
+    spacetime
         .def(nb::new_(
                  [](const nb::object& metric, const nb::kwargs& parameters) { return make_space(metric, parameters); }),
              nb::arg("metric").none() = "schwarzschild", nb::arg("parameters"),
@@ -194,12 +203,8 @@ void add_spacetime(nb::module_& m) {
              "Carter's observer sees it: r, lambda and eta (r_s), Lyapunov exponent gamma, drag and azimuth (rad) and "
              "delay (r_s/c) of a half orbit.")
         .def("shadow", shadow, nb::arg("r").none(),
-             "Angular radius of the shadow seen at rest at r, rad; None about a rotating hole (Observer.shadow_size).")
-        .def("__getnewargs_ex__", arguments_of)
-        .def(
-            "__eq__", [](const Space& a, const Space& b) { return a.spec == b.spec; }, nb::is_operator())
-        .def("__hash__", [](const Space& s) { return std::hash<std::string>()(text_of(s)); })
-        .def("__repr__", [](const Space& s) { return fmt::format("<nullscope.Spacetime {}>", s.metric->name()); });
+             "Angular radius of the shadow seen at rest at r, rad; None about a rotating hole (Observer.shadow_size).");
+    add_identity(spacetime);
     m.def(
         "spacetime_of", [](const Scene& scene) { return space_of(scene.spacetime); }, nb::arg("scene"));
     m.def("deflection", deflection, nb::arg("spacetime"), nb::arg("impact"), nb::arg("progress").none() = nb::none());

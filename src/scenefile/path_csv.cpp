@@ -43,6 +43,7 @@ constexpr double Vec3::*kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
 constexpr KeyRange kFrames = closed(0.0, 1e6), kTimes = closed(-1e9, 1e9), kPlaces = closed(-1e9, 1e9);
 constexpr double kQuaternionTolerance = 1e-3;  // of its length: what is printed with four digits is one
 constexpr double kLeastUpAngle = 1e-6;         // rad, from look and from its opposite
+constexpr double kAxesTolerance = 1e-4;        // of axes beside angles: of tables that keep four digits
 
 bool is_zoom(std::string_view column) { return column == "depth" || column == "angle"; }
 
@@ -75,7 +76,7 @@ private:
             Error{ErrorKind::kBadInput, std::string(what), std::string(allowed), std::string(column), label_, line_});
     }
     bool has(std::string_view column) const { return std::ranges::find(columns_, column) != columns_.end(); }
-    bool by_axes() const { return has("look_x") || has("qw"); }
+    bool by_axes() const { return has("qw") || (has("look_x") && !has("yaw")); }
     Status check_groups() const;
     Status read_header(std::string_view text);
     Status read_row(const Row& row);
@@ -83,6 +84,7 @@ private:
     Status set_key(const Row& row, std::string_view column);
     Status set_place(const Row& row);
     Status set_velocity(const Row& row);
+    Status set_axes_of(const Row& row);
     Result<Vec3> vector(const Row& row, std::span<const std::string_view, 3> columns) const;
     Result<Mat3> axes_by_look(const Row& row) const;
     Result<Mat3> axes_by_quaternion(const Row& row) const;
@@ -124,10 +126,12 @@ Status PathReader::check_groups() const {
             return fault("header", fmt::format("not all of {}", fmt::join(whole, ", ")), "all or none");
     if (has("x") && (has("r") || has("theta") || has("phi")))
         return fault("header", "both x, y, z and r, theta, phi are given", "one of both");
-    if ((given(kLookUp) > 0) + (given(kQuaternion) > 0) + (given(kAngles) > 0) > 1)
+    const bool both = given(kAngles) == std::ssize(kAngles) && given(kLookUp) > 0 && given(kQuaternion) == 0;
+    if ((given(kLookUp) > 0) + (given(kQuaternion) > 0) + (given(kAngles) > 0) > 1 && !both)
         return fault("header", "the camera's axes are given twice",
-                     "one of yaw, pitch, roll; look_x, look_y, look_z, up_x, up_y, up_z; qw, qx, qy, qz");
-    if (by_axes() && (scene_.camera.zoom || has("depth") || has("angle")))
+                     "one of yaw, pitch, roll; look_x, look_y, look_z, up_x, up_y, up_z; qw, qx, qy, qz; or all of the "
+                     "first two");
+    if ((by_axes() || both) && (scene_.camera.zoom || has("depth") || has("angle")))
         return fault(has("qw") ? "qw" : "look_x", "there is a [zoom], whose depth and angle turn the camera",
                      "without [zoom]");
     return Done{};
@@ -215,6 +219,23 @@ Result<Mat3> PathReader::axes_by_quaternion(const Row& row) const {
     return axes_of({q[0] / size, q[1] / size, q[2] / size, q[3] / size});
 }
 
+// Axes beside angles say the same again: the angles, which know of whole turns, are taken; but the axes where x and y are 0, which tell no phi,
+// from which angles count.
+Status PathReader::set_axes_of(const Row& row) {
+    if (!has("look_x") && !has("qw")) return Done{};
+    TRY(axes, has("qw") ? axes_by_quaternion(row) : axes_by_look(row));
+    if (by_axes() || (has("x") && scene_.camera.theta == 0.0)) {
+        set_world_axes(scene_.camera, *axes);
+        return Done{};
+    }
+    const Mat3 angles = world_from_camera(scene_.camera);
+    const double off = std::max(length(axes->b - angles.b), length(axes->c - angles.c));
+    if (!(off <= kAxesTolerance))
+        return fault("look_x", fmt::format("the axes are {:.2g} rad from those of yaw, pitch, roll", off),
+                     fmt::format("within {} rad; or leave either out", kAxesTolerance));
+    return Done{};
+}
+
 Status PathReader::read_row(const Row& row) {
     if (row.size() != columns_.size())
         return fault("row", fmt::format("{} fields", row.size()), fmt::format("{}, as in the header", columns_.size()));
@@ -233,10 +254,7 @@ Status PathReader::read_row(const Row& row) {
         if (Status set = set_place(row); !set) return set;
         if (!keys_.empty()) unwrap_angles(keys_.back().camera, scene_.camera);
     }
-    if (by_axes()) {
-        TRY(axes, has("qw") ? axes_by_quaternion(row) : axes_by_look(row));
-        set_world_axes(scene_.camera, *axes);
-    }
+    if (Status set = set_axes_of(row); !set) return set;
     if (has("velocity_r"))
         if (Status set = set_velocity(row); !set) return set;
     if (!keys_.empty() && !(key.frame > keys_.back().frame))
@@ -307,6 +325,7 @@ std::vector<std::string> columns_of(const std::vector<PathKey>& keys, PathPlaces
             (key.meant == nullptr || key.meant(meaning)) && (is_plane || is_zoom(name) || !is_default(keys, key)))
             columns.emplace_back(name);
     }
+    if (!first.zoom) columns.insert(columns.end(), std::begin(kLookUp), std::end(kLookUp));
     return columns;
 }
 
@@ -321,6 +340,11 @@ std::string field_text(const PathKey& key, std::string_view column) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (column == kPlace[i]) return fmt::format("{}", place[i]);
         if (column == kVelocity[i]) return fmt::format("{}", camera.velocity.*kAxes[i]);
+    }
+    const Mat3 axes = world_from_camera(camera);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (column == kLookUp[i]) return fmt::format("{}", 0.0 - axes.c.*kAxes[i]);
+        if (column == kLookUp[i + 3]) return fmt::format("{}", 0.0 + axes.b.*kAxes[i]);
     }
     Scene there;
     there.camera = camera;

@@ -1,15 +1,18 @@
 // Paths as tables: written and read back they are the same cameras; what a table may not say is refused with its line and column.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "observer/path.h"
 #include "observer/pose.h"
 #include "observer/turn.h"
@@ -129,6 +132,71 @@ TEST_CASE("path csv: what is written reads back as the same cameras") {
         }
 }
 
+double axes_off(const Mat3& m, const Mat3& n) {
+    return std::max({length(m.a - n.a), length(m.b - n.b), length(m.c - n.c)});
+}
+
+// Columns of a table by their names, others left out.
+std::string columns_of_table(const std::string& table, const std::vector<std::string>& without) {
+    std::string text;
+    std::vector<std::string> names;
+    std::istringstream lines(table);
+    for (std::string line; std::getline(lines, line);) {
+        const std::vector<std::string> fields = split(line, ',');
+        if (names.empty()) names = fields;
+        std::vector<std::string> kept;
+        for (std::size_t i = 0; i < fields.size(); ++i)
+            if (std::ranges::find(without, names[i]) == without.end()) kept.push_back(fields[i]);
+        text += fmt::format("{}\n", fmt::join(kept, ","));
+    }
+    return text;
+}
+
+TEST_CASE("path csv: the axes that are written are the camera's, without the angles too") {
+    for (const std::string name : {"plunge", "kerr-plunge", "keys"}) {
+        auto scene = name == "keys" ? Result<Scene>(scene_of(kFlight)) : load_scene(name);
+        REQUIRE(scene);
+        const auto path = CameraPath::make(*scene);
+        REQUIRE(path);
+        const auto keys = frames_of(*path);
+        for (const PathPlaces places : {PathPlaces::kSpherical, PathPlaces::kCartesian}) {
+            const auto table = path_csv(keys, places);
+            REQUIRE(table);
+            const auto both = read_path_csv(*table, "t.csv", *scene);
+            REQUIRE(both);
+            CHECK(!both->by_axes);
+            const auto read = read_path_csv(columns_of_table(*table, {"yaw", "pitch", "roll"}), "t.csv", *scene);
+            const std::string reason = read ? "" : read.error().message();
+            REQUIRE_MESSAGE(read, reason);
+            CHECK(read->by_axes);
+            double most = 0;
+            for (std::size_t i = 0; i < keys.size(); ++i)
+                most = std::max(most,
+                                axes_off(world_from_camera(read->keys[i].camera), world_from_camera(keys[i].camera)));
+            fmt::print("{:<12} axes of {} cameras within {:.1e}\n", name, keys.size(), most);
+            CHECK(most < 1e-14);
+        }
+    }
+    // Over the pole places have no phi, by which yaw is told.
+    std::vector<PathKey> pole(2);
+    pole[1].frame = 1;
+    for (PathKey& key : pole)
+        key.camera.theta = 0, key.camera.phi = 0.8, key.camera.yaw = 0.3, key.camera.pitch = 0.2, key.camera.roll = 1;
+    const auto places = path_csv(pole, PathPlaces::kCartesian);
+    REQUIRE(places);
+    const auto there = read_path_csv(*places, "t.csv", scene_of(""));
+    REQUIRE(there);
+    CHECK(axes_off(world_from_camera(there->keys[1].camera), world_from_camera(pole[1].camera)) < 1e-14);
+    // Of a zoom, whose depth and angle turn the camera, there are none.
+    const auto zoom = load_scene("zoom");
+    REQUIRE(zoom);
+    const auto path = CameraPath::make(*zoom);
+    REQUIRE(path);
+    const auto table = path_csv(frames_of(*path), PathPlaces::kSpherical);
+    REQUIRE(table);
+    CHECK(table->find("look_x") == std::string::npos);
+}
+
 TEST_CASE("path csv: columns may be left out, and stand in any order") {
     const Scene scene = scene_of("[camera]\nr = 7\nfov = 33\ntheta = 80\n");
     const auto table =
@@ -145,10 +213,6 @@ TEST_CASE("path csv: columns may be left out, and stand in any order") {
     const auto round = read_path_csv("x,y,z\n-5,1,0\n-5,-1,0\n", "t.csv", scene);
     REQUIRE(round);
     CHECK(round->keys[1].camera.phi == doctest::Approx(2 * M_PI - round->keys[0].camera.phi));
-}
-
-double axes_off(const Mat3& m, const Mat3& n) {
-    return std::max({length(m.a - n.a), length(m.b - n.b), length(m.c - n.c)});
 }
 
 TEST_CASE("path csv: the camera's axes in world axes are those of yaw, pitch and roll") {
@@ -261,7 +325,17 @@ TEST_CASE("path csv: errors name file, line, column and what is allowed") {
         {"qw,qx,qz\n", "t.csv:1: header: not all of qw, qx, qy, qz; allowed: all or none"},
         {"qw,qx,qy,qz,roll\n",
          "t.csv:1: header: the camera's axes are given twice; allowed: one of yaw, pitch, roll; look_x, look_y, "
-         "look_z, up_x, up_y, up_z; qw, qx, qy, qz"},
+         "look_z, up_x, up_y, up_z; qw, qx, qy, qz; or all of the first two"},
+        {"look_x,look_y,look_z,up_x,up_y,up_z,yaw,pitch\n",
+         "t.csv:1: header: the camera's axes are given twice; allowed: one of yaw, pitch, roll; look_x, look_y, "
+         "look_z, up_x, up_y, up_z; qw, qx, qy, qz; or all of the first two"},
+        {"theta,yaw,pitch,roll,look_x,look_y,look_z,up_x,up_y,up_z\n90,0,0,0,-2,0,0,0,0,3\n90,0,0,0,-1,0.0002,0,0,0,"
+         "1\n",
+         "t.csv:3: look_x: the axes are 0.0002 rad from those of yaw, pitch, roll; allowed: within 0.0001 rad; or "
+         "leave "
+         "either out"},
+        {"yaw,pitch,roll,look_x,look_y,look_z,up_x,up_y,up_z,depth\n",
+         "t.csv:1: look_x: there is a [zoom], whose depth and angle turn the camera; allowed: without [zoom]"},
         {"qw,qx,qy,qz,depth\n",
          "t.csv:1: qw: there is a [zoom], whose depth and angle turn the camera; allowed: without [zoom]"},
         {"look_x,look_y,look_z,up_x,up_y,up_z\n0,0,-1,1,0,0\n0,-0,0,0,0,1\n",
