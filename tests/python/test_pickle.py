@@ -84,6 +84,7 @@ class Pickles(unittest.TestCase):
 
     def test_pictures(self):
         made = ns.capture("accretion", (64, 36), time=2.0, samples=2)
+        self.assertEqual((made.asked["time"], made.options.count("--time 2.0"), made.scene), (2.0, 1, ns.scene("accretion")))
         for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
             self.check_picture(again(made, protocol), made)
         for copied in (copy.copy(made), copy.deepcopy(made), again(made[::2, ::-1])):
