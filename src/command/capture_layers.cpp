@@ -106,6 +106,10 @@ void hit_medium(LayeredPicture& picture) {
 Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, const Scene* next) {
     Renderer& renderer = *session.renderer;
     LayeredPicture picture;
+    if (const auto sky = behind_things(scene)) {
+        if (Status ready = renderer.prepare(*sky); !ready) return ready.error();
+        picture.behind = renderer.ray_data();
+    }
     RayFrame later;
     if (next != nullptr) {
         if (Status ready = renderer.prepare(*next); !ready) return ready.error();
@@ -125,6 +129,13 @@ Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, cons
     return picture;
 }
 
+std::optional<Scene> behind_things(const Scene& scene) {
+    if (!scene.disc && !scene.medium && scene.bodies.empty() && scene.spots.empty()) return std::nullopt;
+    Scene sky = scene;
+    sky.disc.reset(), sky.medium.reset(), sky.bodies.clear(), sky.spots.clear();
+    return sky;
+}
+
 Image<float> st_map_of(const RayFrame& rays, const Scene& scene, const std::string& of) {
     if (of == "plate") return st_map(rays, [&](Vec3 direction) { return plate_place(scene.camera, direction); });
     const Mat3 sky_from_world = transposed(sky_rotation(scene.sky));
@@ -142,7 +153,7 @@ void add_layer_channels(const LayeredPicture& picture, const Scene& scene, Chann
     if (!picture.depths.medium.empty()) file.channels["depth.medium"] = picture.depths.medium;
     file.channels["g_hit"] = picture.depths.g;
     for (const char* of : {"sky", "plate"}) {
-        const Image<float> map = st_map_of(picture.rays, scene, of);
+        const Image<float> map = st_map_of(picture.behind ? *picture.behind : picture.rays, scene, of);
         for (int c = 0; c < 3; ++c) file.channels[std::string("st_") + of + "." + "xyz"[c]] = channel_of(map, c);
     }
     if (!picture.motion) return;

@@ -18,6 +18,7 @@ namespace nullscope::cli {
 struct LayeredPicture {
     PictureLayers layers;
     RayFrame rays;
+    std::optional<RayFrame> behind;  // those of behind_things(), for ST maps; none where they are the same
     Renderer::RayDepths depths;
     std::optional<RayMotion> motion;
 };
@@ -29,7 +30,11 @@ Result<LayeredPicture> capture_layers(Session& session, const Scene& scene, cons
 // with matter, and g_hit; x, y, z of st_sky and st_plate; forward.u, forward.v, forward_known.
 void add_layer_channels(const LayeredPicture& picture, const Scene& scene, ChannelImage& file);
 
-// of: "sky" or "plate" (compare/st_map.h).
+// The scene whose rays ST maps are of: without disc, bodies, hot spots and matter, so that pixels that these cover in part, or wholly, have
+// the sky behind them. None: there are no such things.
+std::optional<Scene> behind_things(const Scene& scene);
+
+// Of the rays of behind_things(), if there are. of: "sky" or "plate" (compare/st_map.h).
 Image<float> st_map_of(const RayFrame& rays, const Scene& scene, const std::string& of);
 
 }  // namespace nullscope::cli

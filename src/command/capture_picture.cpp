@@ -65,7 +65,7 @@ Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawO
         captured.linear = std::move(layers->layers.all);
         captured.layers = std::move(*layers);
     } else if (!options.st_map.empty()) {
-        TRY(ready, session.renderer->prepare(shown.scene));
+        TRY(ready, session.renderer->prepare(behind_things(shown.scene).value_or(shown.scene)));
         captured.linear = st_map_of(session.renderer->ray_data(), shown.scene, options.st_map);
     } else if (options.sample != Sample::kByte) {
         TRY(light, linear_picture(session, shown, options));
@@ -133,7 +133,7 @@ Result<Captured> capture_reference(const Inputs& inputs, const Exposure& shown, 
 
 // No picture of the sky is loaded for it.
 Result<Captured> reference_st_map(const Scene& scene, const DrawOptions& options) {
-    TRY(rays, reference_rays(scene, options.listener));
+    TRY(rays, reference_rays(behind_things(scene).value_or(scene), options.listener));
     Captured captured;
     captured.linear = st_map_of(*rays, scene, options.st_map);
     captured.made_by = kReference;

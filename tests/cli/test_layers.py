@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Layers, ST maps and motion vectors, as files: their channels, and what is in them."""
+import itertools
 import math
 
 import support
@@ -49,7 +50,7 @@ class Layers(support.CliTest):
             self.assertEqual(got["l0.exr"][support.BESIDE_LAYERS.get(name, name)], rows, name)
         for y, row in enumerate(got["l0.exr"]["fate"]):   # Map UV shows what has 1 in the third channel
             for x, fate in enumerate(row):
-                self.assertEqual(got["l0.exr"]["st_sky.z"][y][x], fate == 0)
+                self.assertLessEqual(fate == 0, got["l0.exr"]["st_sky.z"][y][x])
 
     def test_light_and_shares_keep_their_bounds(self):
         """A disc's cover that is 1 to rounding left -1e-7 of the stars behind it."""
@@ -167,6 +168,24 @@ refine = "off"
                 errors.append(max(abs(64 - 0.5 + across[0] - x - got["forward.u"][y][x]), abs(36 - 0.5 - across[1] - y + got["forward.v"][y][x])))
         self.assertGreater(len(errors), 500)
         self.assertLess(max(errors), 0.02)
+
+    def test_st_maps_go_on_behind_what_covers_the_sky(self):
+        """They are those of the scene without disc and ball, which has a hole's shadow only."""
+        sky = '[camera]\nr = 20\nfov = 40\ntheta = 80\n'
+        things = {"disc": "[disc]\n", "ball": "[ball]\nposition = [6, 3, 1]\nradius = 1.5\n"}
+        self.write("sky.toml", sky)
+        bare = self.channels("sky.toml", "--size", "32x18", "--layers", "-o", "bare.exr")
+        for name, section in things.items():
+            self.write(f"{name}.toml", sky + section)
+            got = self.channels(f"{name}.toml", "--size", "32x18", "--layers", "-o", f"{name}.exr")
+            covered = sum(a > 0.999 and z == 1 for a, z in zip(itertools.chain(*got["A"]), itertools.chain(*got["st_sky.z"])))
+            self.assertGreater(covered, 5, name)
+            for of in ("sky", "plate"):
+                alone = self.channels(f"{name}.toml", "--size", "32x18", "--st-map", of, "-o", "st.exr")
+                for c, rgb in zip("xyz", "RGB"):
+                    self.assertEqual(got[f"st_{of}.{c}"], alone[rgb], (name, of, c))
+                    self.assertEqual(got[f"st_{of}.{c}"], bare[f"st_{of}.{c}"], (name, of, c))
+            self.assertEqual(bare["st_sky.z"], [tuple(float(fate == 0) for fate in row) for row in bare["fate"]])
 
     def test_a_plate_without_a_hole_is_the_picture(self):
         got = self.channels("flat", "--size", "64x36", "--st-map", "plate", "-o", "st.exr")
