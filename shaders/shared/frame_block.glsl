@@ -148,5 +148,7 @@ struct FrameData {
     vec4 medium_form_1;
     vec4 medium_form_2;
     vec4 medium_form_3;
+    vec4 medium_form_4;
+    vec4 medium_form_5;
 #endif
 };

@@ -30,6 +30,7 @@
 #include "compare/stokes_measures.h"
 #include "image/picture_texts.h"
 #include "observer/path.h"
+#include "plan/dump_window.h"
 #include "plan/shutter.h"
 #include "render/picture_bands.h"
 #include "scene/medium_dumps.h"
@@ -86,7 +87,7 @@ struct Job : Shot {
 std::optional<Scene> next_scene(const Job& job, double time_step, int frame) {
     if (job.path ? frame + 1 >= job.path->frames() : time_step == 0) return {};
     Scene next = scene_at(job, time_step, frame + 1);
-    if (has_dumps(next) && dump_time_fault(next.medium->grid, next.time)) return {};
+    if (has_dumps(next) && medium_time_fault(next, next.time)) return {};
     return next;
 }
 

@@ -15,6 +15,7 @@
 #include "command/capture_picture.h"
 #include "command/curve_plot.h"
 #include "command/session.h"
+#include "plan/dump_window.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
 #include "scene/medium_dumps.h"
@@ -58,7 +59,7 @@ std::array<double, 4> light_of(const Image<float>& picture, const CameraSpec& ca
 
 // To the last dump, one turn of the spots, one pulse of the sphere, or 100 r_s/c.
 double period_of(const Scene& scene, double from) {
-    if (has_dumps(scene)) return dump_times(scene.medium->grid).to - from;
+    if (has_dumps(scene)) return medium_times(scene).to - from;
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     if (!scene.spots.empty() && spacetime)
         if (const auto orbit = circular_orbit(**spacetime, scene.spots.front().r)) return 2 * M_PI / orbit->omega;
@@ -152,7 +153,7 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
     if (!(to > from)) return bad_input(fmt::format("--to {} is not after --from {}", to, from));
     if (has_dumps(*scene))
         for (const double time : {from, to})
-            if (const auto fault = dump_time_fault(scene->medium->grid, time))
+            if (const auto fault = medium_time_fault(*scene, time))
                 return bad_input(fmt::format("{}: {} {}", options.scene, fault->key, fault->what), fault->allowed);
     const auto unit = flux_unit(*scene, scene->split || scene->camera.stereo != Stereo::kOff);
     TRY(curve, curve_of(options, *scene, from, to, *region, unit));

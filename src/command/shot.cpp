@@ -9,6 +9,7 @@
 #include "annotate/ticks.h"
 #include "base/assets.h"
 #include "command/stereo_capture.h"
+#include "plan/dump_window.h"
 #include "plan/shutter.h"
 #include "render/picture_layers.h"
 #include "scene/medium_dumps.h"
@@ -76,12 +77,23 @@ std::vector<double> times_in(const Shot& shot, double time_step, Frames frames) 
     return times;
 }
 
+namespace {
+
+// A path's camera of a frame: how long light takes depends on its place.
+Scene with_camera(Scene scene, const Shot& shot, double time_step, int frame) {
+    if (shot.path) scene.camera = scene_at(shot, time_step, frame).camera;
+    return scene;
+}
+
+}  // namespace
+
 Status check_times(const Shot& shot, double time_step, Frames frames, const std::string& file) {
     for (const Scene* scene : {&shot.scene, shot.split ? &*shot.split : nullptr}) {
         if (scene == nullptr || !has_dumps(*scene)) continue;
         for (int frame = frames.first; frame < frames.end; ++frame)
-            for (const double time : times_in(shot, time_step, {frame, frame + 1}))
-                if (const auto fault = dump_time_fault(scene->medium->grid, time)) {
+            for (const Scene timed = with_camera(*scene, shot, time_step, frame);
+                 const double time : times_in(shot, time_step, {frame, frame + 1}))
+                if (const auto fault = medium_time_fault(timed, time)) {
                     Error error = bad_input(
                         fmt::format("{}time {}", frames.end - frames.first > 1 ? fmt::format("frame {}: ", frame) : "",
                                     fault->what),

@@ -198,6 +198,12 @@ Texture make_number_layers(int width, int height, int layers, const float* value
     return texture;
 }
 
+void set_number_rows(const Texture& texture, int row, int width, int height, int layers, const float* values) {
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, row, 0, width, height, layers, GL_RGBA, GL_FLOAT, values);
+    check("rows of numbers");
+}
+
 Texture make_picture_texture(const std::vector<HalfTexels>& levels) {
     Texture texture(new_texture(GL_TEXTURE_2D));
     set_sampling(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);

@@ -83,7 +83,10 @@ void bind_uniform_block(const Program& program, const char* block, unsigned bind
 // Numbers in 1 or 4 channels, float, one level; linear: the hardware's own filter (its weights may have 8 bits), else nearest.
 Texture make_number_texture(int width, int height, int channels, const float* values, bool linear);
 // Layers of numbers in 4 channels, float, that are fetched. throws GlError if they are more, or larger, than the driver takes.
+// nullptr: not set yet.
 Texture make_number_layers(int width, int height, int layers, const float* values);
+// Rows of all its layers, from `row` on.
+void set_number_rows(const Texture& texture, int row, int width, int height, int layers, const float* values);
 // A picture, linear light, as RGBA16F with all its mip levels, each side half of the one before (at least 1, rounded down); clamped, trilinear.
 struct HalfTexels {
     int width, height;

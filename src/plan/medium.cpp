@@ -73,14 +73,14 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
 std::string medium_note(const Spacetime& spacetime, const Scene& scene) {
     constexpr double kNoCharge = 1e-12;  // of outer inner - a^2, which is Q^2
     if (!scene.medium || scene.medium->kind != MediumKind::kGrid) return "";
-    const auto grid = medium_grid_at(scene);
+    const auto grid = medium_form(scene);
     if (!grid) return "";
     const auto hole = medium_hole(spacetime);
     const bool flat = !spacetime.bends_light(),
                charged = hole && std::abs(hole->outer * hole->inner - hole->a * hole->a) > kNoCharge;
     if (!flat && !charged) return "";
     return without_controls(fmt::format("medium.file: the matter of {} is about a hole of spin {}{}; {}",
-                                        in_quotes(scene.medium->grid.file.filename().string()), (*grid)->spin(),
+                                        in_quotes(scene.medium->grid.file.filename().string()), grid->spin(),
                                         flat ? "" : " without charge",
                                         flat ? "the scene's space is flat" : "the scene's hole has one"));
 }

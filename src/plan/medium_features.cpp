@@ -6,6 +6,7 @@
 #include "plan/feature.h"
 #include "plan/medium.h"
 #include "plan/medium_model.h"
+#include "scene/medium_dumps.h"
 
 namespace nullscope {
 
@@ -156,12 +157,14 @@ std::vector<Feature> all_features() {
     }
     (std::make_index_sequence<kMediumKinds>{});
     features.push_back({{Effect::kMediumMotion, "medium-motion", "EFFECT_MEDIUM_MOTION", "The medium depends on time.",
-                         "medium.flow is \"kepler\", or a formula of matter asks for t",
+                         "medium.flow is \"kepler\", medium.light \"slow\", or a formula of matter asks for t",
                          "of gas two exponentials and roots an octave of each sample"},
                         [](const FrameFacts& f) -> Reason {
                             const char* key = f.scene.medium ? medium_moves(*f.scene.medium) : nullptr;
                             if (key == nullptr) return kNot;
-                            return f.gas() ? "medium.flow = \"kepler\"" : fmt::format("{} asks for t", key);
+                            if (f.gas()) return "medium.flow = \"kepler\"";
+                            return has_slow_light(f.scene) ? "medium.light = \"slow\""
+                                                           : fmt::format("{} asks for t", key);
                         },
                         [](Scene& s) {
                             if (!s.medium) return;

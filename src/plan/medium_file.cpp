@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/assets.h"
+#include "plan/dump_window.h"
 #include "plan/medium.h"
 #include "plan/medium_model.h"
 #include "scene/medium_dumps.h"
@@ -40,6 +41,10 @@ std::vector<SceneKey> grid_keys() {
         {"medium", "start", KeyType::kNumber, "r_s/c", "0", closed(-1e9, 1e9), "",
          "Scene time of the first dump. Needs a file with a placeholder.",
          [](auto& s) { return &s.medium->grid.start; }, is_of_dumps, kDumps},
+        {"medium", "light", KeyType::kChoice, "", "fast", kNoRange, "fast slow",
+         "Which dumps a picture shows: fast, all of it those about the scene's time; slow, each place those about the "
+         "time when its light left. Needs a file with a placeholder.",
+         [](auto& s) { return &s.medium->grid.light; }, is_of_dumps, kDumps},
         {"medium", "density_scale", KeyType::kNumber, "", "1", closed(1e-12, 1e12), "",
          kept(fmt::format("Multiplies the density of model or file (with synchrotron and bremsstrahlung, electrons per "
                           "cm^3), and the magnetic field of a file by its square root. Needs {}.",
@@ -59,17 +64,17 @@ void grid_faults(const Spacetime& spacetime, const Scene& scene, std::vector<Sce
         if (!fault && !(medium.grid.cadence > 0.0))
             fault = {"medium.cadence", "missing, but medium.file is of dumps", "the time from dump to dump, r_s/c",
                      "medium.file"};
-        if (!fault) fault = dump_time_fault(medium.grid, scene.time);
+        if (!fault) fault = medium_time_fault(spacetime, scene, scene.time);
         if (fault) return faults.push_back(*fault);
     }
-    const auto grid = medium_grid_at(scene);
+    const auto grid = medium_form(scene);
     if (!grid) {
         const auto& at = grid.error().file;
         faults.push_back(file_fault("medium.file", at.empty() ? file : fs::path(at), grid.error(), "a grid of matter"));
         return;
     }
     const auto hole = medium_hole(spacetime);
-    const double spin = (*grid)->spin(), a = hole ? 2.0 * hole->a : 0.0, farthest = (*grid)->farthest();
+    const double spin = grid->spin(), a = hole ? 2.0 * hole->a : 0.0, farthest = grid->farthest();
     if (spacetime.bends_light() && std::abs(spin - a) > kSame)
         faults.push_back({"medium.file",
                           fmt::format("its matter is about a hole of spin {}, the scene's has {}", spin, a),
@@ -77,10 +82,27 @@ void grid_faults(const Spacetime& spacetime, const Scene& scene, std::vector<Sce
     else if (medium.outer > (1.0 + kSame) * farthest)
         faults.push_back({"medium.outer", fmt::format("{} is beyond the last node of medium.file", medium.outer),
                           fmt::format("at most {:.9g}", farthest), "medium.file"});
-    else if (spacetime.bends_light() && hole && (*grid)->nearest() <= hole->outer)
+    else if (spacetime.bends_light() && hole && grid->nearest() <= hole->outer)
         faults.push_back({"medium.file",
-                          fmt::format("its first node, r = {:.9g}, is not outside the horizon", (*grid)->nearest()),
+                          fmt::format("its first node, r = {:.9g}, is not outside the horizon", grid->nearest()),
                           fmt::format("a file whose first r is above {:.9g}", hole->outer)});
+}
+
+// Of dumps with slow light: the time, in dumps, counted from the window's first; where that one is in the texture. And by how much the dumps'
+// clock is ahead of t, log(r - GRID_INNER) + GRID_AHEAD_LOG log((r - horizon)/(r - GRID_INNER)), times GRID_AHEAD (spacetime/tortoise.h).
+void add_dump_values(const MediumFrame& f, std::vector<double>& values) {
+    constexpr double kLeastApart = 1e-3;  // of the horizons: floats have no digits left for log1p(-apart/r)/apart
+    const GridMatter& matter = f.medium().grid;
+    const DumpWindow window = dump_window(*f.plan.matter, f.plan.scene, *f.grid);
+    const auto hole = medium_hole(*f.plan.matter);
+    const bool ahead = f.plan.effects.contains(Effect::kDelay) && f.grid->kerr_schild() && hole && hole->outer > 0.0;
+    const double outer = ahead ? hole->outer : 0.0, charge2 = ahead ? outer * hole->inner - hole->a * hole->a : 0.0,
+                 inner = ahead ? std::min(hole->inner, outer - kLeastApart) : 0.0;
+    for (const double value : {(late_time(f.plan) - matter.start) / matter.cadence - window.first, 1.0 / matter.cadence,
+                               static_cast<double>(window.last - window.first),
+                               static_cast<double>(window.first % window.slots), static_cast<double>(window.slots),
+                               ahead ? 1.0 : 0.0, ahead ? (outer - charge2) / (outer - inner) : 0.0, inner})
+        values.push_back(value);
 }
 
 std::vector<double> grid_values(const MediumFrame& f) {
@@ -93,6 +115,7 @@ std::vector<double> grid_values(const MediumFrame& f) {
           static_cast<double>(polar.count), static_cast<double>(around.count), f.grid->kerr_schild() ? 1.0 : 0.0,
           around.first / (2.0 * M_PI), scale, std::sqrt(scale), f.grid->horizon()})
         values.push_back(value);
+    if (has_slow_light(f.plan.scene)) add_dump_values(f, values);
     return values;
 }
 
@@ -119,11 +142,14 @@ const MediumModel kFileModel{
     .farthest = [](const MediumSpec& m) { return m.outer; },
     .least_step = nullptr,
     .spans = sphere_spans,
-    .moves = nullptr,
+    .moves = [](const MediumSpec& m) -> const char* {
+        return has_dumps(m.grid) && m.grid.light == DumpLight::kSlow ? "medium.light" : nullptr;
+    },
     .faults = grid_faults,
     .numbers =
         "SPHERE_RADIUS SPHERE_HEIGHT SPHERE_STEP GRID_RING GRID_RINGS GRID_POLAR GRID_POLARS GRID_RING_COUNT "
-        "GRID_POLAR_COUNT GRID_AROUND_COUNT GRID_KERR_SCHILD GRID_AROUND GRID_DENSITY GRID_FIELD GRID_HORIZON",
+        "GRID_POLAR_COUNT GRID_AROUND_COUNT GRID_KERR_SCHILD GRID_AROUND GRID_DENSITY GRID_FIELD GRID_HORIZON "
+        "GRID_TIME GRID_RATE GRID_LAST GRID_SLOT GRID_SLOTS GRID_AHEAD GRID_AHEAD_LOG GRID_INNER",
     .values = grid_values,
     .before =
         [](Scene& s) {

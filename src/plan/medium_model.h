@@ -57,7 +57,7 @@ struct MediumModel {
                     double horizon);  // of four samples at most that a ray takes, at medium.step 1; nullptr: few
     const char* (*moves)(const MediumSpec&);  // the key by which it changes with time; nullptr: it does not
     void (*faults)(const Spacetime&, const Scene&, std::vector<SceneFault>&);  // nullptr: none
-    std::string_view numbers;  // that its file knows by these names, 16 at most, and their values
+    std::string_view numbers;  // that its file knows by these names, 24 at most, and their values
     std::vector<double> (*values)(const MediumFrame&);
     void (*before)(Scene&), (*with)(Scene&);  // Feature's
     double (*opacity)(const MediumSpec&) =

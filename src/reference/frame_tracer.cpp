@@ -59,6 +59,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
         return bad_input(fmt::format("metric \"{}\" has no discs", scene.spacetime.metric), "a scene without [disc]");
     tracer.matter_ = std::move(*metric);
     if (Status medium = check_medium(**spacetime, scene); !medium) return medium.error();
+    if (Status read = scene.medium ? read_matter(**spacetime, scene) : Done{}; !read) return read.error();
     if (scene.medium) tracer.medium_ = std::make_shared<Medium>(scene, *tracer.matter_);
     tracer.bodies_ = std::make_shared<Bodies>(scene, *tracer.matter_);
     const bool late = scene.light.delay && !moving_parts(scene).empty(),

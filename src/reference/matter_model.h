@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/result.h"
 #include "base/vec.h"
 #include "plan/medium.h"
 #include "reference/emission.h"
@@ -57,6 +58,8 @@ protected:
 
 inline constexpr double kMatterPanel = 0.08;  // of the length over which matter changes: 1e-4 of the flux
 
+// What a model reads, which make_matter() then has. Errors: of files.
+Status read_matter(const Spacetime& spacetime, const Scene& scene);
 // By the scene's medium.kind. metric: outlives it.
 std::unique_ptr<MatterModel> make_matter(const Scene& scene, const Metric& metric);
 std::unique_ptr<MatterModel> make_gas(const Scene& scene, const Metric& metric);

@@ -3,9 +3,12 @@
 #include <cmath>
 
 #include "expr/formula.h"
+#include "plan/dump_window.h"
 #include "reference/matter_model.h"
 #include "reference/medium_grid.h"
 #include "scene/medium_dumps.h"
+#include "spacetime/registry.h"
+#include "spacetime/tortoise.h"
 
 namespace nullscope::reference {
 namespace {
@@ -108,9 +111,10 @@ private:
     expr::Formula density_, outward_, south_, east_;
 };
 
-class FileModel final : public MatterModel {
+class FileModel : public MatterModel {
 public:
     FileModel(const Scene& scene, const Metric& metric) : MatterModel(scene, metric) {
+        if (has_slow_light(scene)) return;
         if (const auto grid = medium_grid_at(scene)) grid_ = *grid;  // scene files are checked
     }
     double panel(const MatterPlace& place) const override { return panel_in_sphere(spec_, horizon_, place); }
@@ -124,6 +128,36 @@ public:
 
 private:
     std::shared_ptr<const MediumGrid> grid_;
+};
+
+// Dumps, each place at its own time.
+class SlowFileModel final : public FileModel {
+public:
+    SlowFileModel(const Scene& scene, const Metric& metric) : FileModel(scene, metric) {
+        const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
+        const auto form = medium_form(scene);
+        if (!spacetime || !form) return;  // read_matter() says why
+        window_ = dump_window(**spacetime, scene, *form);
+        if (const auto grids = medium_grids(spec_.grid, window_.first, window_.last)) grids_ = *grids;
+        if (form->kerr_schild() && horizon_ > 0 && scene.light.delay) spacetime_ = *spacetime;
+    }
+
+    std::optional<MatterState> at(const MediumNode& node, const PlaceMetric&) const override {
+        if (!grids_ || !in_sphere(spec_, node)) return std::nullopt;
+        const double ahead = spacetime_ ? time_ahead(*spacetime_, node.r) : 0,
+                     last = static_cast<double>(grids_->size() - 1);
+        const double dump =
+            std::clamp((time_of(node) + ahead - spec_.grid.start) / spec_.grid.cadence - window_.first, 0.0, last);
+        const auto low = static_cast<std::size_t>(dump), high = std::min(low + 1, grids_->size() - 1);
+        return grid_matter(GridMoment{*(*grids_)[low], *(*grids_)[high], dump - static_cast<double>(low)},
+                           spec_.density_scale, horizon_, node.r, std::atan2(node.sine(), node.cosine()),
+                           std::atan2(node.direction.y, node.direction.x));
+    }
+
+private:
+    std::shared_ptr<const MediumGrids> grids_;
+    DumpWindow window_{};
+    std::shared_ptr<const Spacetime> spacetime_;  // nullptr: the dumps' clock is t
 };
 
 class JetModel final : public WarmModel {
@@ -164,7 +198,16 @@ constexpr std::unique_ptr<MatterModel> (*kModels[kMediumKinds])(const Scene&, co
 }  // namespace
 
 std::unique_ptr<MatterModel> make_matter(const Scene& scene, const Metric& metric) {
+    if (has_slow_light(scene)) return made<SlowFileModel>(scene, metric);
     return kModels[static_cast<std::size_t>(scene.medium->kind)](scene, metric);
+}
+
+Status read_matter(const Spacetime& spacetime, const Scene& scene) {
+    if (!has_slow_light(scene)) return Done{};
+    TRY(form, medium_form(scene));
+    const DumpWindow window = dump_window(spacetime, scene, *form);
+    TRY(grids, medium_grids(scene.medium->grid, window.first, window.last));
+    return Done{};
 }
 
 Vec3 velocity_at_rate(const PlaceMetric& g, double rate) {

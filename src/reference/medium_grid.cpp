@@ -29,7 +29,8 @@ Beside all_round(const MediumGrid::Axis& axis, double at) {
 
 }  // namespace
 
-MatterState grid_matter(const MediumGrid& grid, double scale, double horizon, double r, double theta, double phi) {
+MatterState grid_matter(const GridMoment& moment, double scale, double horizon, double r, double theta, double phi) {
+    const MediumGrid& grid = moment.before;
     r = std::max(r, horizon + 1e-9);
     if (grid.kerr_schild() && grid.spin() != 0 && horizon > 0) {  // d phi = d phi_BL + a/Delta dr, lengths in r_s = 2M
         const double a = 0.5 * grid.spin(), inner = 1 - horizon, apart = horizon - inner;
@@ -42,8 +43,12 @@ MatterState grid_matter(const MediumGrid& grid, double scale, double horizon, do
         const std::size_t i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
         const double weight = (i != 0 ? rings.part : 1 - rings.part) * (j != 0 ? polar.part : 1 - polar.part) *
                               (k != 0 ? around.part : 1 - around.part);
-        const float* node = grid.node(rings.node[i], polar.node[j], around.node[k]);
-        for (std::size_t n = 0; n < mean.size(); ++n) mean[n] += weight * static_cast<double>(node[n]);
+        const float *node = grid.node(rings.node[i], polar.node[j], around.node[k]),
+                    *later = moment.after.node(rings.node[i], polar.node[j], around.node[k]);
+        for (std::size_t n = 0; n < mean.size(); ++n) {
+            const double first = node[n], second = later[n];
+            mean[n] += weight * (first + moment.part * (second - first));
+        }
     }
     const double field = std::hypot(mean[5], mean[6], mean[7]), over = field > 0 ? 1 / field : 0;
     return {std::min(scale * std::exp2(mean[0]), MediumGrid::kDensest),

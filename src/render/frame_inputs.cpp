@@ -48,7 +48,7 @@ Status FrameInputs::begin(const FrameTables& tables, const Method& method, std::
         return status;
     if (Status status = body_images_.update(scene, largest_picture_, notes); !status) return status;
     if (Status status = warp_.update(scene.camera, info_.max_texture_size); !status) return status;
-    if (Status status = medium_.update(scene, info_); !status) return status;
+    if (Status status = medium_.update(scene, tables.matter(), info_); !status) return status;
     if (const std::string word = medium_note(tables.matter(), scene); !word.empty() && word != medium_told_)
         notes.push_back(medium_told_ = word);
     load_table(tables, method);
@@ -206,8 +206,8 @@ std::vector<TextureLine> FrameInputs::lines(const FrameTables& tables) const {
     if (black_body_) add("black body", kBlackBodyCells + 1, 1, kTexel);
     if (warp_.rows() > 0) add("warp mesh", kWarpRow, warp_.rows(), kTexel);
     if (const MediumGrid* grid = medium_.grid())
-        lines.push_back(
-            {"medium grid", grid->rings().count, grid->polar().count * grid->around().count, grid->bytes()});
+        lines.push_back({"medium grid", grid->rings().count, grid->polar().count * grid->around().count,
+                         medium_.dumps() * grid->bytes()});
     return lines;
 }
 

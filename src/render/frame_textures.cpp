@@ -9,6 +9,7 @@
 #include "base/assets.h"
 #include "image/large_image.h"
 #include "light/black_body.h"
+#include "plan/dump_window.h"
 #include "render/bloom.h"
 #include "render/body_images.h"
 #include "render/renderer.h"
@@ -110,7 +111,8 @@ Status add_stars(const Scene& scene, bool finds_images, List& to) {
     return Done{};
 }
 
-Status add_files(const Scene& scene, const EffectSet& effects, List& to) {
+Status add_files(const FramePlan& plan, const EffectSet& effects, List& to) {
+    const Scene& scene = plan.scene;
     const auto add_image = [&](const std::string& name, const Image<float>& image, auto fetches) -> FrameTexture& {
         const long long w = image.width, h = image.height;
         return to.add(name, 1, w, h, kMipThirds * kHalfTexel * w * h / 3, fetches);
@@ -130,12 +132,15 @@ Status add_files(const Scene& scene, const EffectSet& effects, List& to) {
         to.add("warp mesh", 1, kWarpRow, bytes / (kTexel * kWarpRow), bytes, is<Effect::kWarp>);
     }
     if (effects.contains(medium_effect(MediumKind::kGrid))) {
-        TRY(grid, medium_grid_at(scene));
-        const long long layers = (*grid)->around().count, width = 2LL * (*grid)->rings().count,
-                        height = (*grid)->polar().count, bytes = static_cast<long long>((*grid)->bytes());
+        TRY(grid, medium_form(scene));
+        const long long layers = grid->around().count, width = 2LL * grid->rings().count, height = grid->polar().count,
+                        bytes = static_cast<long long>(grid->bytes());
         constexpr auto kFetches = is<medium_effect(MediumKind::kGrid)>;
-        to.add("medium grid", layers, width, height, bytes, kFetches);
-        if (has_dumps(scene)) {  // two, and what is between them
+        const bool slow = has_slow_light(scene);
+        const long long slots = slow ? dump_window(*plan.matter, scene, *grid).slots : 1;
+        FrameTexture& texture = to.add("medium grid", layers, width, slots * height, slots * bytes, kFetches);
+        if (slow) texture.reason = window_words(*plan.matter, scene, *grid);
+        if (has_dumps(scene) && !slow) {  // two, and what is between them
             FrameTexture& dumps = to.add("medium dumps", 3 * layers, width, height, 3 * bytes, kFetches);
             dumps.on_gpu = false;
             dumps.reason = fmt::format("{}: the two about the time, and their mean", dump_words(scene.medium->grid));
@@ -177,7 +182,7 @@ Result<std::vector<FrameTexture>> frame_textures(const FrameTables& tables) {
     if (effects.contains(Effect::kPointStars)) {
         TRY(added, add_stars(scene, tables.path().finds_star_images(), to));
     }
-    TRY(added, add_files(scene, effects, to));
+    TRY(added, add_files(tables.plan(), effects, to));
     add_pictures(scene, effects, to);
     return to.list;
 }

@@ -102,7 +102,7 @@ std::atomic<long long> read_count = 0;
 
 Result<Grid> read_dump(const fs::path& file) {
     ++read_count;
-    TRY(grid, read_medium_grid(file));
+    TRY(grid, MediumGrid::read(file));
     return std::make_shared<const MediumGrid>(std::move(*grid));
 }
 
@@ -162,6 +162,8 @@ bool has_dumps(const GridMatter& grid) { return names_numbers(grid.file.filename
 bool has_dumps(const Scene& scene) {
     return scene.medium && scene.medium->kind == MediumKind::kGrid && has_dumps(scene.medium->grid);
 }
+
+bool has_slow_light(const Scene& scene) { return has_dumps(scene) && scene.medium->grid.light == DumpLight::kSlow; }
 
 void settle_dumps(GridMatter& grid) {
     const auto files = has_dumps(grid) ? files_of(grid) : std::nullopt;
@@ -249,6 +251,69 @@ Result<std::shared_ptr<const MediumGrid>> medium_grid_at(const GridMatter& grid,
 
 Result<std::shared_ptr<const MediumGrid>> medium_grid_at(const Scene& scene) {
     return medium_grid_at(scene.medium->grid, scene.time);
+}
+
+Result<MediumGrid> medium_form(const Scene& scene) {
+    const GridMatter& matter = scene.medium->grid;
+    if (has_slow_light(scene)) {
+        const auto files = files_of(matter);
+        if (!files || matter.first < 0) return bad_input("medium.file: dumps without their numbers");
+        return head_of(files->of(matter.first));
+    }
+    TRY(grid, medium_grid_at(scene));
+    return (*grid)->without_numbers();
+}
+
+Result<MediumGrid> read_medium_dump(const GridMatter& grid, int dump, const MediumGrid& form) {
+    const auto files = files_of(grid);
+    if (!files || dump < 0 || dump > grid.last - grid.first) return bad_input("medium.file: there is no such dump");
+    const fs::path file = files->of(grid.first + dump);
+    ++read_count;
+    TRY(read, MediumGrid::read(file));
+    if (const char* what = read->other_nodes(form)) {
+        const SceneFault fault = other_nodes(file, files->of(grid.first), what);
+        return bad_input(fault.what, fault.allowed);
+    }
+    return std::move(*read);
+}
+
+DumpStamp dump_stamp(const GridMatter& grid, int dump) {
+    const auto files = files_of(grid);
+    const Stamp stamp(files ? fs::path(files->of(grid.first + dump)) : fs::path());
+    return {dump, stamp.time, stamp.size};
+}
+
+Result<std::shared_ptr<const MediumGrids>> medium_grids(const GridMatter& grid, int from, int to) {
+    struct Dump {
+        fs::path file;
+        Stamp stamp;
+        Grid grid;
+    };
+    static std::mutex mutex;
+    static std::vector<Dump> kept;
+    const auto files = files_of(grid);
+    if (!files || from > to) return bad_input("medium.file: there are no such dumps");
+    const std::lock_guard lock(mutex);
+    std::vector<Dump> asked;
+    for (int dump = from; dump <= to; ++dump) {
+        const fs::path file = files->of(grid.first + dump);
+        asked.push_back({file, Stamp(file), nullptr});
+        for (const Dump& held : kept)
+            if (held.file == asked.back().file && held.stamp == asked.back().stamp) asked.back().grid = held.grid;
+    }
+    kept.clear();  // before others are read
+    TRY(form, head_of(files->of(grid.first)));
+    auto found = std::make_shared<MediumGrids>();
+    for (int dump = from; dump <= to; ++dump) {
+        Dump& one = asked[static_cast<std::size_t>(dump - from)];
+        if (one.grid == nullptr) {
+            TRY(read, read_medium_dump(grid, dump, *form));
+            one.grid = std::make_shared<const MediumGrid>(std::move(*read));
+        }
+        found->push_back(one.grid);
+    }
+    kept = std::move(asked);
+    return std::shared_ptr<const MediumGrids>(std::move(found));
 }
 
 long long dumps_read() { return read_count; }

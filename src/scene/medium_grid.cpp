@@ -7,11 +7,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <numbers>
 #include <span>
 
-#include "base/atomic_file.h"
 #include "base/file_cache.h"
+#include "base/file_part.h"
 #include "base/text.h"
 
 namespace nullscope {
@@ -148,11 +149,37 @@ Result<MediumGrid> MediumGrid::parse_head(std::string_view bytes, const std::str
     Head head(bytes, name);
     MediumGrid grid;
     TRY(read, grid.read_head(head));
-    const std::size_t before = bytes.size() - head.rest().size(), follow = file_size - std::min(before, file_size);
-    if (follow != grid.bytes())
-        return head.wrong(fmt::format("{} bytes follow", follow),
-                          fmt::format("{} of {} nodes", grid.bytes(), grid.nodes()));
+    const std::size_t before = bytes.size() - head.rest().size();
+    if (Status whole = grid.check_size(head, file_size - std::min(before, file_size)); !whole) return whole.error();
     return grid;
+}
+
+Status MediumGrid::read_ring(std::size_t i, const char* from, const Head& head) {
+    const auto r = static_cast<std::size_t>(rings_.count), t = static_cast<std::size_t>(polar_.count),
+               p = static_cast<std::size_t>(around_.count);
+    const auto fall_here = static_cast<float>(fall(std::exp(rings_.first + rings_.step * static_cast<double>(i))));
+    for (std::size_t j = 0; j < t; ++j)
+        for (std::size_t k = 0; k < p; ++k, from += kBytes) {
+            std::array<float, kNumbers> value{};
+            if (const std::size_t n = read_node(from, value); n < kNumbers)
+                return head.wrong(fmt::format("{} of node ({}, {}, {}) is {}", kRanges[n].name, i, j, k, value[n]),
+                                  fmt::format("[{}, {}]", kRanges[n].least, kRanges[n].most));
+            const std::array<float, kNumbers> kept = {logarithm(value[0]),
+                                                      value[5] * fall_here,
+                                                      value[6],
+                                                      value[7],
+                                                      logarithm(value[1]),
+                                                      value[2],
+                                                      value[3],
+                                                      value[4]};
+            std::ranges::copy(kept, numbers_.begin() + static_cast<std::ptrdiff_t>(((k * t + j) * r + i) * kNumbers));
+        }
+    return Done{};
+}
+
+Status MediumGrid::check_size(const Head& head, std::size_t follow) const {
+    if (follow == bytes()) return Done{};
+    return head.wrong(fmt::format("{} bytes follow", follow), fmt::format("{} of {} nodes", bytes(), nodes()));
 }
 
 Result<MediumGrid> MediumGrid::parse(std::string_view bytes, const std::string& name) {
@@ -160,27 +187,34 @@ Result<MediumGrid> MediumGrid::parse(std::string_view bytes, const std::string& 
     MediumGrid grid;
     TRY(read, grid.read_head(head));
     const std::string_view rest = head.rest();
-    if (rest.size() != grid.bytes())
-        return head.wrong(fmt::format("{} bytes follow", rest.size()),
-                          fmt::format("{} of {} nodes", grid.bytes(), grid.nodes()));
-    const auto r = static_cast<std::size_t>(grid.rings_.count), t = static_cast<std::size_t>(grid.polar_.count),
-               p = static_cast<std::size_t>(grid.around_.count);
+    if (Status whole = grid.check_size(head, rest.size()); !whole) return whole.error();
     grid.numbers_.resize(grid.nodes() * kNumbers);
-    const char* from = rest.data();
-    for (std::size_t i = 0; i < r; ++i) {
-        const auto fall =
-            static_cast<float>(grid.fall(std::exp(grid.rings_.first + grid.rings_.step * static_cast<double>(i))));
-        for (std::size_t j = 0; j < t; ++j)
-            for (std::size_t k = 0; k < p; ++k, from += kBytes) {
-                std::array<float, kNumbers> value{};
-                if (const std::size_t n = read_node(from, value); n < kNumbers)
-                    return head.wrong(fmt::format("{} of node ({}, {}, {}) is {}", kRanges[n].name, i, j, k, value[n]),
-                                      fmt::format("[{}, {}]", kRanges[n].least, kRanges[n].most));
-                const std::array<float, kNumbers> kept = {logarithm(value[0]), value[5] * fall, value[6], value[7],
-                                                          logarithm(value[1]), value[2],        value[3], value[4]};
-                std::ranges::copy(
-                    kept, grid.numbers_.begin() + static_cast<std::ptrdiff_t>(((k * t + j) * r + i) * kNumbers));
-            }
+    const std::size_t ring = grid.bytes() / static_cast<std::size_t>(grid.rings_.count);
+    for (std::size_t i = 0; i * ring < rest.size(); ++i)
+        if (Status good = grid.read_ring(i, rest.data() + i * ring, head); !good) return good.error();
+    return grid;
+}
+
+Result<MediumGrid> MediumGrid::read(const std::filesystem::path& file) {
+    std::error_code none;
+    const std::uintmax_t size = std::filesystem::file_size(file, none);
+    if (none) return failed(fmt::format("cannot read {}: {}", file.string(), none.message()));
+    const std::string name = file.string(), first = file_part(file, kMostHead, FileEnd::kFirst);
+    Head head(first, name);
+    MediumGrid grid;
+    TRY(heading, grid.read_head(head));
+    const std::size_t before = first.size() - head.rest().size();
+    if (Status whole = grid.check_size(head, static_cast<std::size_t>(size) - std::min<std::size_t>(before, size));
+        !whole)
+        return whole.error();
+    grid.numbers_.resize(grid.nodes() * kNumbers);
+    std::string ring(grid.bytes() / static_cast<std::size_t>(grid.rings_.count), '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(before));
+    for (std::size_t i = 0; i < static_cast<std::size_t>(grid.rings_.count); ++i) {
+        if (!stream.read(ring.data(), static_cast<std::streamsize>(ring.size())))
+            return failed(fmt::format("cannot read {}", name));
+        if (Status good = grid.read_ring(i, ring.data(), head); !good) return good.error();
     }
     return grid;
 }
@@ -233,11 +267,6 @@ const float* MediumGrid::node(int ring, int polar, int around) const {
             static_cast<std::size_t>(rings_.count) +
         static_cast<std::size_t>(ring);
     return numbers_.data() + at * kNumbers;
-}
-
-Result<MediumGrid> read_medium_grid(const std::filesystem::path& file) {
-    TRY(text, read_text(file, kLargestFile));
-    return MediumGrid::parse(*text, file.string());
 }
 
 Result<std::shared_ptr<const MediumGrid>> load_medium_grid(const std::filesystem::path& file) {

@@ -45,6 +45,8 @@ public:
 
     // name: of the file, for messages. Errors: what is no such file, with its line or node.
     static Result<MediumGrid> parse(std::string_view bytes, const std::string& name);
+    // A file, ring by ring: it is never in memory as a whole, beside its numbers.
+    static Result<MediumGrid> read(const std::filesystem::path& file);
     // What stands before the numbers, of which there are none; bytes: at least all of that. file_size: of the whole file.
     static Result<MediumGrid> parse_head(std::string_view bytes, const std::string& name, std::size_t file_size);
     static constexpr std::size_t kMostHead = 1u << 12;
@@ -74,14 +76,14 @@ public:
 private:
     class Head;
     Status read_head(Head& head);
+    Status check_size(const Head& head, std::size_t follow) const;  // of what follows the head
+    Status read_ring(std::size_t ring, const char* bytes, const Head& head);
     bool kerr_schild_ = true;
     double spin_ = 0;
     std::string converter_, source_;
     Axis rings_, polar_, around_;
     std::vector<float> numbers_;
 };
-
-Result<MediumGrid> read_medium_grid(const std::filesystem::path& file);
 
 // The grid of a file, read once, and again when the file has changed; the last two are kept. Thread-safe.
 Result<std::shared_ptr<const MediumGrid>> load_medium_grid(const std::filesystem::path& file);

@@ -51,10 +51,13 @@ struct MediumFormulas {
 };
 // scene/medium_grid.h; of a simulation's dumps, which a placeholder in the file's name stands for (scene/medium_dumps.h), the numbers of the
 // first and the last one (below 0: those of the folder, once the scene was read), the time between two and that of the first; r_s/c.
+// kSlow: each place is seen at its own time, when its light left; kFast: all of a picture at the scene's time.
+enum class DumpLight { kFast, kSlow };
 struct GridMatter {
     std::filesystem::path file{};
     int first = -1, last = -1;
     double cadence = 0.0, start = 0.0;
+    DumpLight light = DumpLight::kFast;
     friend bool operator==(const GridMatter&, const GridMatter&) = default;
 };
 

@@ -14,6 +14,7 @@
 #include "base/sha256.h"
 #include "base/text.h"
 #include "image/picture_texts.h"
+#include "plan/dump_window.h"
 #include "scene/medium_dumps.h"
 #include "scenefile/photo_sphere.h"
 #include "scenefile/scene_writer.h"
@@ -44,7 +45,7 @@ NamedFiles files_at(const Scene& scene, const WrittenScene& written, const std::
         }
         std::set<fs::path> dumps;
         for (const double time : times)
-            for (fs::path& dump : dumps_about(scene.medium->grid, time)) dumps.insert(std::move(dump));
+            for (fs::path& dump : dumps_seen(scene, time)) dumps.insert(std::move(dump));
         for (const fs::path& dump : dumps)
             files.emplace_back((fs::path(name).parent_path() / dump.filename()).string(), dump);
     }

@@ -6,6 +6,7 @@
 
 #include "observer/observer.h"
 #include "observer/spin_frame.h"
+#include "plan/dump_window.h"
 #include "plan/moving.h"
 #include "scene/medium_dumps.h"
 #include "spacetime/tortoise.h"
@@ -130,7 +131,7 @@ bool clock_section(ViewState& view) {
     const NumberStyle style = style_in(scene, *spacetime, view.numbers);
     slide_as("Rate", view.clock_rate, 1e-2, 1e3, rate_words(view.clock_rate, style),
              "Scene time per second of real time.", Scale::kLogarithmic);
-    const auto dumps = has_dumps(scene) ? std::optional(dump_times(scene.medium->grid)) : std::nullopt;
+    const auto dumps = has_dumps(scene) ? std::optional(medium_times(*spacetime, scene)) : std::nullopt;
     bool changed = dumps ? slide_as("Time", scene.time, dumps->from, dumps->to, time_words(scene.time, style),
                                     "Drag to change the time, between the first and the last dump.")
                          : slide_as("Time", scene.time, 0.0, kSpan, time_words(scene.time, style),
@@ -150,7 +151,7 @@ bool step_clock(ViewState& view, double dt_s) {
     if (!view.clock_runs || view.fall.runs() || !changes_with_time(view.scene)) return false;
     view.scene.time += dt_s * view.clock_rate;
     if (!has_dumps(view.scene)) return true;
-    const auto [from, to] = dump_times(view.scene.medium->grid);  // over and over
+    const auto [from, to] = medium_times(view.scene);  // over and over
     if (view.scene.time > to) view.scene.time = from;
     return true;
 }

@@ -288,7 +288,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 84);
+    CHECK(members.size() == 86);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {
