@@ -40,6 +40,15 @@ TickGrid tick_grid(int width, int height) {
     return {std::max(1, static_cast<int>(width / step)), std::max(1, static_cast<int>(height / step))};
 }
 
+Scene tick_scene(Scene scene, int width, int height) {
+    const TickGrid grid = tick_grid(width, height);
+    scene.camera.pixel_aspect *= static_cast<double>(width) * grid.rows / (static_cast<double>(height) * grid.columns);
+    scene.camera.width = grid.columns, scene.camera.height = grid.rows;
+    return scene;
+}
+
+double tick_thickness(int width, int height) { return std::max(kThick * apart(width, height), 1.2); }
+
 std::vector<Tick> ticks_of(const Image<float>& stokes, int width, int height) {
     const double step = apart(width, height);
     double brightest = 0, most = 0;
@@ -66,7 +75,7 @@ std::vector<Tick> ticks_of(const Image<float>& stokes, int width, int height) {
 
 std::vector<Mark> tick_marks(const Image<float>& stokes, int width, int height) {
     std::vector<Mark> marks;
-    const double thick = std::max(kThick * apart(width, height), 1.2);
+    const double thick = tick_thickness(width, height);
     for (const Tick& tick : ticks_of(stokes, width, height)) marks.push_back(tick_mark(tick, thick));
     return marks;
 }

@@ -4,6 +4,7 @@
 
 #include "annotate/marks.h"
 #include "image/image.h"
+#include "scene/scene.h"
 
 namespace nullscope {
 
@@ -12,6 +13,9 @@ struct TickGrid {
     int columns, rows;
 };
 TickGrid tick_grid(int width, int height);
+// The same view in a picture of the grid's size, whose Stokes parameters ticks are made of.
+Scene tick_scene(Scene scene, int width, int height);
+double tick_thickness(int width, int height);  // px
 
 struct Tick {
     double x, y;       // its middle, px from the picture's top left corner

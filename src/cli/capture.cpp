@@ -152,7 +152,7 @@ Result<std::string> draw(const Job& job, Session* session, const Exposure& shown
     TRY(written, write_picture(file, origin, *captured, options));
     const auto flux = flux_unit(scene, job.split || scene.split || scene.camera.stereo != Stereo::kOff);
     std::string said = captured->made_by;
-    if (flux && options.to_linear_light()) said += ", " + flux_words(captured->linear, *flux);
+    if (flux && options.to_linear_light() && options.st_map.empty()) said += ", " + flux_words(captured->linear, *flux);
     if (!captured->stokes.empty()) {
         const auto [x, y] = line_of_sight(scene.camera);
         said += ", " + words_of(stokes_measures(captured->stokes, x, y));

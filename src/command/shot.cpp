@@ -41,11 +41,7 @@ Status add_ticks(Session* session, const Scene& scene, const Listener& listener,
         listener.note("picture.ticks are drawn by the shader only");
         return Done{};
     }
-    Scene small = scene;
-    const TickGrid grid = tick_grid(width, height);
-    small.camera.pixel_aspect *= static_cast<double>(width) * grid.rows / (static_cast<double>(height) * grid.columns);
-    small.camera.width = grid.columns, small.camera.height = grid.rows;
-    TRY(ready, session->renderer->prepare(small));
+    TRY(ready, session->renderer->prepare(tick_scene(scene, width, height)));
     const std::vector<Mark> marks = tick_marks(draw_stokes(*session->renderer), width, height);
     if (!captured.bytes.empty()) lay_over(marks, captured.bytes);
     if (!captured.words.empty()) lay_over(marks, captured.words);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "annotate/ticks.h"
 #include "spacetime/registry.h"
 #include "studio/bands.h"
 #include "viewer/window.h"
@@ -170,6 +171,7 @@ std::optional<Painting> FrameRenderer::picture(const PaintJob& job, double coars
         return painting;
     }
     painting->texture_b = other->texture;
+    painting->stokes_b = std::move(other->stokes);
     painting->draft |= other->draft;
     painting->draw_ms += other->draw_ms;
     return painting;
@@ -202,9 +204,16 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
         if (first || !renderer_.tables().effects().contains(Effect::kRefine))  // of pictures in motion
             picture_ms_ = times->draw_ms / (static_cast<double>(painting.width) * painting.height * samples * samples);
         painting.texture = drawn.colours.front().id();
+        if (job.scene.picture.ticks && is_polarised(job.scene) && !split_) painting.stokes = tick_stokes(job.scene);
     }
     add_facts(painting);
     return painting;
+}
+
+// In motion too: as many pixels as there are ticks.
+Image<float> FrameRenderer::tick_stokes(const Scene& scene) {
+    if (!renderer_.prepare(tick_scene(scene, scene.camera.width, scene.camera.height))) return {};
+    return draw_stokes(renderer_);
 }
 
 Painting FrameRenderer::rays(const PaintJob& job) {

@@ -33,6 +33,7 @@ struct Painting {
     unsigned texture_b = 0;                // likewise, of job.side_b; 0: there is none
     int width = 0, height = 0;             // of the texture; of a coarse picture less than the job's
     std::optional<RayFrame> rays, rays_b;  // of the job, and of job.side_b
+    Image<float> stokes, stokes_b;         // likewise, where they show ticks, of their number: annotate/ticks.h
     double draw_ms = 0.0;                  // the picture's, finished; compiling apart
     std::vector<std::string> notes;        // what was done to images
     int programs = 0;                      // compiled for pictures until now
@@ -96,6 +97,7 @@ private:
     // at_once: in one band.
     std::optional<DrawTimes> draw(const gl::Target& target, bool at_once, const DrawWatch& watch);
     const gl::Target& target(int width, int height, const TexturesInUse& avoid);
+    Image<float> tick_stokes(const Scene& scene);
     void add_facts(Painting& painting);
 
     Renderer renderer_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "annotate/ticks.h"
 #include "viewer/texture_id.h"
 
 namespace nullscope::viewer {
@@ -47,8 +48,9 @@ float PictureMarks::labels_bottom() const {
     return ImGui::GetIO().DisplaySize.x / static_cast<float>(size_.width) * static_cast<float>(bottom);
 }
 
-void mark_saved_picture(const Scene& scene, Image<unsigned char>& picture) {
+void mark_saved_picture(const Scene& scene, const Image<float>& stokes, Image<unsigned char>& picture) {
     const PixelSize size{picture.width, picture.height};
+    if (!stokes.empty()) lay_over(tick_marks(stokes, size.width, size.height), picture);
     lay_over(make_marks(annotations_at(scene, size), size.width, size.height).marks, picture);
 }
 

@@ -24,7 +24,7 @@ private:
     std::vector<gl::Texture> textures_;
 };
 
-// Over a picture that is saved.
-void mark_saved_picture(const Scene& scene, Image<unsigned char>& picture);
+// Over a picture that is saved. stokes: as of draw_tick_lines().
+void mark_saved_picture(const Scene& scene, const Image<float>& stokes, Image<unsigned char>& picture);
 
 }  // namespace nullscope::viewer

@@ -16,6 +16,7 @@
 #include "version/version.h"
 #include "viewer/overlay.h"
 #include "viewer/ring_zoom.h"
+#include "viewer/tick_lines.h"
 #include "viewer/viewer.h"
 
 namespace nullscope::viewer {
@@ -168,12 +169,14 @@ void Viewer::draw_over_sides(float top, float bottom) {
     draw.PushClipRect({0.0f, 0.0f}, {parted, screen.y});
     if (shows_orders(0)) cover_.orders[0].draw();
     if (view_.show_errors && !shown_.scene().split) cover_.accuracy->draw_overlay();
+    draw_tick_lines(shown_.painting.stokes);
     OverlayPlace place{view_, shown_.scene(), panels_.probe, 0.0f, parted, top, bottom};
     draw_overlays(Overlay::Where::kPicture, place);
     draw.PopClipRect();
     if (b == nullptr) return;
     draw.PushClipRect({parted, 0.0f}, screen);
     if (shows_orders(1)) cover_.orders[1].draw();
+    draw_tick_lines(shown_.painting.stokes_b);
     OverlayPlace beside{view_, b->scene, panels_.probe, parted, screen.x, top, bottom};
     draw_overlays(Overlay::Where::kPicture, beside);
     draw.PopClipRect();
@@ -193,7 +196,7 @@ void Viewer::save_picture() {
     if (due_.save) return;
     const auto path = fresh_screenshot_path();
     Image<unsigned char> picture = drawn_apart(size_, [this](unsigned framebuffer) { draw(framebuffer, size_); });
-    mark_saved_picture(shown_.scene(), picture);
+    mark_saved_picture(shown_.scene(), shown_.painting.stokes, picture);
     PictureOrigin origin{shown_.scene(), scene_folders(shown_.view.source)};
     origin.renderer = info_.renderer, origin.version = kVersionText;
     auto words = displayed_picture_words(origin);

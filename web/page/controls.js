@@ -32,7 +32,7 @@ const WORDS = {
 };
 const AXES = ["outward", "southward", "eastward"];
 const NOT_HERE = new Set(["camera.size", "camera.plane_width", "camera.focal_distance", "camera.stereo", "camera.eye_distance",
-  "camera.pixel_aspect", "sky.catalogue", "picture.scale_bar", "picture.shutter", "picture.sub_frames"]);
+  "camera.pixel_aspect", "sky.catalogue", "picture.scale_bar", "picture.ticks", "picture.shutter", "picture.sub_frames"]);
 const TYPES = new Set(["number", "whole", "choice", "velocity", "colour", "formula"]);
 
 export const words = (name, full = name) =>
