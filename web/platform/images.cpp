@@ -50,9 +50,11 @@ Result<std::unique_ptr<RowReader>> open_png_rows(ByteSource source) {
 }
 Result<std::unique_ptr<RowReader>> open_jpeg_rows(ByteSource source) { return open_png_rows(std::move(source)); }
 
-Result<ExrPicture> load_exr_picture(const std::filesystem::path&, long long, bool) {
+Result<ExrPicture> load_exr_picture(const std::filesystem::path&, long long, bool, const std::string&) {
     return bad_input("EXR is not read in a page");
 }
+bool is_tiff(std::string_view) { return false; }
+Result<WholePicture> decode_tiff(std::string_view, long long) { return bad_input("TIFF is not read in a page"); }
 void note_on_terminal(const std::string&) {}
 bool is_picture_file(const std::filesystem::path&) { return false; }
 Result<OpenedScene> open_picture(const std::string&, const Note&) {
