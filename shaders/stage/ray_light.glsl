@@ -46,7 +46,7 @@ struct RaySight {
 
 #ifdef NEEDS_STOKES
 RaySight with_stokes(RaySight sight, float share) {
-    sight.stokes += share * disc_stokes;
+    sight.stokes += share > 0.0 ? share * disc_stokes : vec2(0.0);   // of no crossing it may be no number
     return sight;
 }
 vec3 sight_light(RaySight sight) { return layer_shown == LAYER_STOKES ? vec3(sight.stokes, 0.0) : sight.light; }

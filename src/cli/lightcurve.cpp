@@ -37,8 +37,9 @@ struct LightcurveOptions {
 
 struct CurvePoint {
     double time;
-    std::array<double, 4> flux;  // luminance, red, green, blue, over the solid angle: 1 is a steradian of white
-    double jansky = 0.0;         // where the scene has a FluxUnit
+    std::array<double, 4> flux;      // luminance, red, green, blue, over the solid angle: 1 is a steradian of white
+    double jansky = 0.0;             // where the scene has a FluxUnit
+    std::array<double, 2> stokes{};  // Q and U in the unit of flux[0], where light is polarised
 };
 
 bool dimmer(const CurvePoint& a, const CurvePoint& b) { return a.flux[0] < b.flux[0]; }
@@ -57,6 +58,17 @@ std::array<double, 4> light_of(const Image<float>& picture, const CameraSpec& ca
     return sum;
 }
 
+// The same of Q and U.
+std::array<double, 2> stokes_of(const Image<float>& stokes, const CameraSpec& camera,
+                                const std::array<int, 4>& region) {
+    std::array<double, 2> sum{};
+    for (int y = region[1]; y < region[3]; ++y)
+        for (int x = region[0]; x < region[2]; ++x)
+            for (std::size_t c = 0; c < 2; ++c)
+                sum[c] += pixel_solid_angle(camera, x + 0.5, y + 0.5) * stokes.at(x, y)[c + 1];
+    return sum;
+}
+
 // To the last dump, one turn of the spots, one pulse of the sphere, or 100 r_s/c.
 double period_of(const Scene& scene, double from) {
     if (has_dumps(scene)) return medium_times(scene).to - from;
@@ -68,16 +80,22 @@ double period_of(const Scene& scene, double from) {
 }
 
 // What the columns mean, for people.
-std::string column_words(const std::optional<FluxUnit>& unit) {
+std::string column_words(const std::optional<FluxUnit>& unit, bool polarised) {
     std::string words = "light against time. time: r_s/c; flux: luminance times solid angle (sr), white is 1";
-    return unit ? words + fmt::format("; jansky: flux density at {} GHz, Jy", unit->frequency_GHz) : words;
+    if (unit) words += fmt::format("; jansky: flux density at {} GHz, Jy", unit->frequency_GHz);
+    if (polarised) words += "; stokes_q, stokes_u: of flux, angles from the picture's right towards up";
+    return words;
 }
 
-std::string csv_of(const std::vector<CurvePoint>& curve, bool jansky) {
-    std::string text = fmt::format("time,flux,red,green,blue{}\n", jansky ? ",jansky" : "");
-    for (const CurvePoint& s : curve)
-        text += fmt::format("{:.17g},{:.9g},{:.9g},{:.9g},{:.9g}{}\n", s.time, s.flux[0], s.flux[1], s.flux[2],
-                            s.flux[3], jansky ? fmt::format(",{:.9g}", s.jansky) : "");
+std::string csv_of(const std::vector<CurvePoint>& curve, bool jansky, bool polarised) {
+    std::string text =
+        fmt::format("time,flux,red,green,blue{}{}\n", jansky ? ",jansky" : "", polarised ? ",stokes_q,stokes_u" : "");
+    for (const CurvePoint& s : curve) {
+        text += fmt::format("{:.17g},{:.9g},{:.9g},{:.9g},{:.9g}", s.time, s.flux[0], s.flux[1], s.flux[2], s.flux[3]);
+        if (jansky) text += fmt::format(",{:.9g}", s.jansky);
+        if (polarised) text += fmt::format(",{:.9g},{:.9g}", s.stokes[0], s.stokes[1]);
+        text += '\n';
+    }
     return text;
 }
 
@@ -124,7 +142,9 @@ Result<Curve> curve_of(const LightcurveOptions& options, Scene scene, double fro
         scene.time = from + i * (to - from) / (options.steps - 1);
         TRY(picture, picture_of());
         curve.samples.push_back(
-            {scene.time, light_of(*picture, scene.camera, region), unit ? flux_of(*picture, *unit, region) : 0.0});
+            {scene.time, light_of(*picture, scene.camera, region), unit ? flux_of(*picture, *unit, region) : 0.0, {}});
+        if (session && is_polarised(scene))
+            curve.samples.back().stokes = stokes_of(draw_stokes(*session->renderer), scene.camera, region);
     }
     return curve;
 }
@@ -156,13 +176,14 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
             if (const auto fault = medium_time_fault(*scene, time))
                 return bad_input(fmt::format("{}: {} {}", options.scene, fault->key, fault->what), fault->allowed);
     const auto unit = flux_unit(*scene, scene->split || scene->camera.stereo != Stereo::kOff);
+    const bool polarised = is_polarised(*scene) && options.renderer == "gl";
     TRY(curve, curve_of(options, *scene, from, to, *region, unit));
     std::vector<double> times;
     for (const CurvePoint& point : curve->samples) times.push_back(point.time);
-    TRY(written,
-        write_table(options.output + ".csv", csv_of(curve->samples, unit.has_value()), options.output + ".svg",
-                    svg_of(*scene, curve->samples, unit),
-                    {*scene, options.scene, options.given.words(), curve->drawn_by, column_words(unit), times}));
+    TRY(written, write_table(options.output + ".csv", csv_of(curve->samples, unit.has_value(), polarised),
+                             options.output + ".svg", svg_of(*scene, curve->samples, unit),
+                             {*scene, options.scene, options.given.words(), curve->drawn_by,
+                              column_words(unit, polarised), times}));
     const auto peak = std::ranges::max_element(curve->samples, dimmer);
     const std::string most = unit ? fmt::format("{:.4g} Jy at {} GHz", peak->jansky, unit->frequency_GHz)
                                   : fmt::format("{:.4g}", peak->flux[0]);

@@ -258,5 +258,39 @@ class Profiles(support.CliTest):
         self.assertIn("along the line, px", (self.folder / "cut.svg").read_text(encoding="utf-8"))
 
 
+class PolarisedCurve(support.CliTest):
+    SPOT = """[camera]
+r = 100
+theta = %s
+fov = 8
+size = [96, 96]
+[sky]
+kind = "black"
+[disc]
+inner = 3
+outer = 6
+emission = "thermal"
+opacity = 0.0
+brightness = 0.0
+polarisation = "synchrotron"
+field = "toroidal"
+polarised_fraction = 0.5
+[spot]
+r = 4.5
+size = 0.3
+"""
+
+    def test_a_spot_seen_face_on_goes_round_the_loop_of_q_and_u_twice(self):
+        # The electric vector is along the radius, whose azimuth grows as seen from above and falls as seen from below.
+        for theta, turns in ((0, 2), (180, -2)):
+            self.run_nullscope("lightcurve", self.write("spot.toml", self.SPOT % theta), "--steps", "17", "-o", "spot")
+            curve = table(self.folder / "spot.csv")
+            linear = [complex(row["stokes_q"], row["stokes_u"]) / row["flux"] for row in curve]
+            for value in linear:
+                self.assertAlmostEqual(abs(value), 0.375, delta=2e-2)   # 0.5 (alpha + 1)/(alpha + 5/3), less what the spot's size takes
+            turned = sum(cmath.phase(after / before) for before, after in zip(linear, linear[1:]))
+            self.assertAlmostEqual(turned / (2 * math.pi), turns, delta=2e-2)
+
+
 if __name__ == "__main__":
     support.main()
