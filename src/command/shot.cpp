@@ -147,12 +147,14 @@ Result<Captured> draw_shot(const Shot& shot, Session* session, const Exposure& s
     const bool stereo = scene.camera.stereo != Stereo::kOff;
     TRY(captured, stereo ? capture_stereo(session, shown, options)
                          : capture_picture(session, split ? half(&Halves::left) : shown, options, next));
-    if (!stereo) {
+    if (lettered && !stereo) {
         TRY(ticked, add_ticks(session, split ? split->left : scene, options.listener, *captured));
     }
     if (split) {
         TRY(right, capture_picture(session, half(&Halves::right), options));
-        TRY(ticked, add_ticks(session, split->right, options.listener, *right));
+        if (lettered) {
+            TRY(ticked, add_ticks(session, split->right, options.listener, *right));
+        }
         captured->linear = side_by_side(captured->linear, right->linear);
         captured->stokes = {};  // of two pictures there are none
         captured->bytes = side_by_side(captured->bytes, right->bytes);

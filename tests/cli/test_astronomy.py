@@ -292,5 +292,16 @@ size = 0.3
             self.assertAlmostEqual(turned / (2 * math.pi), turns, delta=2e-2)
 
 
+class Ticks(support.CliTest):
+    def test_ticks_are_over_displayed_pictures_that_are_not_plain(self):
+        text = self.run_nullscope("scenes", "m87-swirl").out.replace('scale_bar = "uas"\n', "")
+        self.run_nullscope("capture", self.write("on.toml", text), "--size", "160x90", "-o", "on.png")
+        self.run_nullscope("capture", "on.toml", "--plain", "--size", "160x90", "-o", "plain.png")
+        self.run_nullscope("capture", self.write("off.toml", text.replace('ticks = "on"', 'ticks = "off"')), "--size", "160x90", "-o", "off.png")
+        for name, largest in (("plain.png", 0), ("on.png", 255)):
+            said = self.run_nullscope("compare", "off.png", name).out
+            self.assertEqual(float(re.search(r"max ([\d.e-]+)", said).group(1)) > 0.1, largest > 0, said)
+
+
 if __name__ == "__main__":
     support.main()
