@@ -103,6 +103,8 @@ std::vector<Scene> full_scenes() {
     scenes[6].sky.kind = SkyKind::kPoints;
     scenes[6].disc.emplace().emission = DiscEmission::kThermal;
     scenes[6].disc->effects.limb_darkening = true;
+    scenes[6].disc->polarisation.by = Polarisation::kSynchrotron;
+    scenes[6].picture.polariser = 0.5;
     scenes[6].disc->material.texture = TextureKind::kGas;
     scenes[6].camera.observer = ObserverKind::kRain;
     scenes[3].camera.zoom = scenes[6].camera.zoom = ZoomSpec{5.0, 0.0};

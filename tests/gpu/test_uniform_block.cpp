@@ -79,8 +79,9 @@ TEST_CASE("uniform block: the driver's offsets are those of the C++ struct") {
         scene.sky.kind = SkyKind::kChecker;
         scene.disc->material.texture = TextureKind::kGrid;
         for (const Effect effect : effect_set(required_effects(scene)).list()) effects.insert(effect);
-        for (const Effect one : {Effect::kRingRates, Effect::kDiscGas, Effect::kZoom,
-                                 projection_effect(Projection::kFisheye), Effect::kWarp, Effect::kDither})
+        for (const Effect one :
+             {Effect::kRingRates, Effect::kDiscGas, Effect::kZoom, projection_effect(Projection::kFisheye),
+              Effect::kWarp, Effect::kDither, Effect::kPolarisation, Effect::kPolariser})
             effects.insert(one);
         const std::vector<int> driver = driver_offsets(scene, effects, members);
         for (std::size_t i = 0; i < members.size(); ++i) {
