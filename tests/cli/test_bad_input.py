@@ -233,7 +233,10 @@ class Rays(support.CliTest):
         self.bad_rays("r,theta,phi,n_r,n_phi\n", ":1: header: missing: n_theta;", "or q,zeta0,s")
         self.bad_rays("# a\n\nq,zeta0\n0.5,0.1\n", ":3: header: missing: s;")
         self.bad_rays("r,r,theta,phi,n_r,n_theta,n_phi\n", ":1: r:", "twice")
-        self.bad_rays("r,theta,phi,n_r,n_theta,n_phi,q,zeta0,s\n", ":1: header: columns of both forms")
+        self.bad_rays("r,theta,phi,n_r,n_theta,n_phi,q,zeta0,s\n", ":1: header: columns of several forms")
+        self.bad_rays("alpha,theta\n", ":1: header: missing: beta;", "alpha,beta,theta")
+        self.bad_rays("alpha,beta,theta,r\n", ":1: header: columns of several forms")
+        self.bad_rays("alpha,beta,theta\n1e5,0,1\n", ":2: alpha:", "[-1e4, 1e4] r_s")
         self.bad_rays('"r,theta,phi\n', ":1: header: a quote is not closed")
 
     def test_values(self):
