@@ -20,6 +20,9 @@ inline Scene changed_scene(Scene scene, std::mt19937& random) {
         if (!value.there) continue;
         const double share = std::uniform_real_distribution<double>(0.7, 1.3)(random);
         value.number = value.number == 0.0 ? 0.1 * share : value.number * share;
+        // What is counted in the file's unit stays within its range: an opacity of 1 grows no further.
+        const bool same_unit = key.unit != "deg" && key.range.low < key.range.high;
+        if (same_unit && !key.range.contains(value.number)) continue;
         key.member.set(scene, value);
     }
     return scene;
