@@ -13,7 +13,8 @@ vec4 local_matter(vec3 u, float r, float a, float lapse) {
     return vec4(u.z * lapse, 0.0, r * u.y + a * (a * u.y - u.x) / r, lapse * (u.x - a * u.y));
 }
 
-// k as what moves with u sees it, after a boost without rotation; and back what is across u.
+// Spatial components of k in the rest frame of the four-velocity u, by the boost without rotation. carried_by: the inverse, of a vector without a
+// component along time there.
 vec3 seen_from(vec4 u, vec4 k) {
     vec3 v = vec3(u.x, u.y, u.z);
     vec3 way = vec3(k.x, k.y, k.z);

@@ -13,6 +13,7 @@
 #include "image/channels.h"
 #include "image/half_float.h"
 #include "image/image_file.h"
+#include "image/luminance.h"
 #include "image/picture_formats.h"
 #include "render/picture_bands.h"
 #include "version/version.h"
@@ -56,12 +57,9 @@ FitsHeader header_of(const PictureOrigin& origin, const Captured& captured, cons
     return header;
 }
 
-Image<float> luminance_of(const Image<float>& light) {
+Image<float> luminance_image(const Image<float>& light) {
     Image<float> luminance(light.width, light.height, 1);
-    for (std::size_t i = 0; i < luminance.data.size(); ++i) {
-        const float* rgb = &light.data[3 * i];
-        luminance.data[i] = 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
-    }
+    for (std::size_t i = 0; i < luminance.data.size(); ++i) luminance.data[i] = luminance_of(&light.data[3 * i]);
     return luminance;
 }
 
@@ -88,7 +86,7 @@ Status write_fits(LightFile file) {
     const FitsHeader header = header_of(file.origin, file.captured, flux, several, std::move(file.words));
     if (flux) return save_fits(file.name, in_jansky(file.captured.linear, *flux), header);
     const Image<float>&light = file.captured.linear, &stokes = file.captured.stokes;
-    return save_fits(file.name, stokes.empty() ? luminance_of(light) : turned_to_north(stokes), header, light);
+    return save_fits(file.name, stokes.empty() ? luminance_image(light) : turned_to_north(stokes), header, light);
 }
 
 Status write_exr(LightFile file) {

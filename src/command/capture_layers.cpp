@@ -12,6 +12,7 @@
 #include "compare/ray_channels.h"
 #include "compare/st_map.h"
 #include "image/channels.h"
+#include "image/luminance.h"
 #include "observer/ball_motion.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
@@ -80,8 +81,6 @@ RayFrame seen_at_once(RayFrame rays) {
     for (RayPixel& pixel : rays.pixels) pixel.delay = 0.0;
     return rays;
 }
-
-float luminance_of(const float* p) { return 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2]; }
 
 // Where a pixel shows matter along its ray, matter is what it hits: in front of the sky and the hole where half of the light is its,
 // anywhere where half of the light behind it is hidden by it.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "image/channels.h"
+#include "image/luminance.h"
 #include "plan/effects.h"
 #include "render/renderer.h"
 
@@ -27,7 +28,7 @@ Image<float> stokes_of(Renderer& renderer, const Image<float>& light) {
     for (std::size_t i = 0; i < light.data.size() / 3; ++i) {
         const float *rgb = &light.data[3 * i], *part = &polarised.data[3 * i];
         float* of = &stokes.data[kStokesParameters * i];
-        of[0] = 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
+        of[0] = luminance_of(rgb);
         of[1] = part[0], of[2] = part[1], of[3] = 0.0f;
     }
     const auto& axis = renderer.tables().plan().scene.picture.polariser;
