@@ -94,7 +94,8 @@ std::vector<std::string> names_of(const Imf::MultiPartInputFile& file, const Exr
     const std::string part = header.hasName() ? header.name() : "",
                       prefix = layer.prefix.substr(0, layer.prefix.empty() ? 0 : layer.prefix.size() - 1);
     std::vector<std::string> names;
-    for (const std::string& name : {prefix, part, part.empty() || prefix.empty() ? "" : part + "." + prefix})
+    const std::string both = part.empty() || prefix.empty() ? "" : fmt::format("{}.{}", part, prefix);
+    for (const std::string& name : {prefix, part, both})
         if (!name.empty()) names.push_back(name);
     return names;
 }
