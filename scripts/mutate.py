@@ -31,6 +31,7 @@ HARD = ("gpu_tests", "hard cases*")
 GOLDEN = ("golden_tests", "every case is*")
 LIMB = ("gpu_tests", "limb darkening*")
 POLARISED = ("gpu_tests", "polarisation*")
+STOKES = ("gpu_tests", "polarised matter*")
 GAS = ("gpu_tests", "disc gas*")
 GAS_LAW = ("unit_tests", "disc gas*")
 LINE = ("unit_tests", "line profile*")
@@ -123,7 +124,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("handedness", "a left-handed frame", "src/render/frame_numbers.cpp",
      "cross(radial, meridian)", "cross(meridian, radial)", HARD),
     ("through", "light behind a translucent disc not dimmed", "shaders/stage/ray_light.glsl",
-     "sight.through = max(sight.through - over.a, 0.0);   // a cover is 1 to rounding\n        walk = disc_next", "walk = disc_next", GOLDEN),
+     "sight.through = max(sight.through - sight.through * over.a, 0.0);   // a cover is 1 to rounding\n        sight = covered", "sight = covered", GOLDEN),
     ("display", "a missing square root in the display's curve", "shaders/effect/display.glsl",
      "vec3 s1 = sqrt(c);", "vec3 s1 = c;", GOLDEN),
     ("stale", "tables kept when the camera moves", "src/render/planar_path.cpp",
@@ -179,6 +180,16 @@ MUTANTS = [Mutant(*row) for row in [
      "vec2(n.x * along.x - n.y * along.y, n.x * along.y + n.y * along.x)", "vec2(0.0)", POLARISED),
     ("polarised-camera", "the camera's motion left out of what its screen stands to", "src/observer/screen_form.cpp",
      "boost(aberration ? observer.velocity : Vec3{})", "boost(Vec3{})", POLARISED),
+    ("stokes-place", "the hole's part of Walker and Penrose's constant off the plane left out", "shaders/medium/screen.glsl",
+     "float turn = a * place.cosine;", "float turn = 0.0;", STOKES),
+    ("stokes-frame", "the motion of Carter's frame left out", "shaders/medium/screen.glsl",
+     "float f_phi = f.z - speed * f.w;", "float f_phi = f.z;", STOKES),
+    ("stokes-rotation", "Faraday rotation the other way", "shaders/medium/synchrotron_stokes.glsl",
+     "turn * cosine * ratios.x * rest", "-turn * cosine * ratios.x * rest", STOKES),
+    ("stokes-order", "rows turned the other way", "shaders/core/stokes_transfer.glsl",
+     "cross(rho, s)", "cross(s, rho)", ("unit_tests", "stokes transfer*")),
+    ("stokes-moment", "a moment of the mean with the wrong factor", "shaders/core/stokes_transfer.glsl",
+     "thick.m2 = by * (2.0 * thick.m1 - left);", "thick.m2 = by * (thick.m1 - left);", ("unit_tests", "stokes transfer*")),
     ("scale-lapse", "a scale bar without the lapse", "src/observer/picture_scale.cpp",
      "std::sqrt(spacetime.lapse_squared(camera.r)) /", "1.0 /", ("unit_tests", "annotations*")),
     ("scale-parsec", "a scale bar in light years", "src/annotate/annotations.cpp",

@@ -3,6 +3,9 @@
 #include "generated/medium_law"
 #include "medium/matter.glsl"
 #include "medium/place.glsl"
+#ifdef MEDIUM_STOKES
+#include "medium/stokes_rows.glsl"
+#endif
 #include "shared/frame.glsl"
 
 #define MEDIUM_MOST_SPANS 8192   // src/plan/medium.cpp
@@ -19,6 +22,9 @@ struct MediumSum {
     vec2 weight;     // of all that was gone along: light that reaches the camera, and what of the light behind is hidden
     vec2 moment;     // and the same times where on the ray it is
 #endif
+#ifdef MEDIUM_STOKES
+    StokesSight stokes;
+#endif
 };
 
 MediumSum medium_nothing() {
@@ -29,6 +35,9 @@ MediumSum medium_nothing() {
 #ifdef MEDIUM_MEAN
     sum.weight = vec2(0.0);
     sum.moment = vec2(0.0);
+#endif
+#ifdef MEDIUM_STOKES
+    sum.stokes = stokes_nothing();
 #endif
     return sum;
 }
@@ -50,6 +59,9 @@ struct MediumSpan {
 #endif
 #ifdef MEDIUM_MEAN
     vec2 along;          // where on the ray both ends are
+#endif
+#ifdef MEDIUM_STOKES
+    vec2 phase;          // screen_phase() of the ray
 #endif
 };
 
@@ -74,6 +86,27 @@ MediumSum medium_add(MediumSum sum, MediumLight found, float way, float along) {
     sum.through *= dims;
     return sum;
 }
+
+#ifdef MEDIUM_STOKES
+// Light and what of the light behind comes through are then those of rows (medium/stokes_rows.glsl), for which sum.through tells where to end.
+MediumSum medium_add_stokes(MediumSum sum, MediumLight found, MediumStokes stokes, float way) {
+    float depth = way > 0.0 ? found.absorption * way : 0.0;
+    vec3 light = way > 0.0 ? found.emission * way : vec3(0.0);
+    vec3 turned = way > 0.0 ? clamp(stokes.turned * way, -STOKES_MOST_TURN, STOKES_MOST_TURN) : vec3(0.0);
+    sum.stokes = stokes_through(sum.stokes, light, depth, stokes.emitted, depth * stokes.absorbed, turned);
+    sum.through *= exp(-depth);
+    return sum;
+}
+#endif
+
+// What the row of the picture gets, and the share of it that light behind has.
+#ifdef MEDIUM_STOKES
+vec3 medium_seen_light(MediumSum sum) { return sum.stokes.light; }
+float medium_left(MediumSum sum) { return sum.through > 0.0 ? max(sum.stokes.row.x, 0.0) : 0.0; }
+#else
+vec3 medium_seen_light(MediumSum sum) { return sum.light; }
+float medium_left(MediumSum sum) { return sum.through; }
+#endif
 
 // At the end of a march, which stops where nearly nothing comes through.
 float medium_rest(float through) { return through > frame.medium_colour.w ? through : 0.0; }
@@ -146,13 +179,18 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
         float way = sigma * span.way * share;
         begin = end;
         first = last;
-        MediumLight found = medium_light(at, medium_matter(at));
+        MediumMatter matter = medium_matter(at);
+        MediumLight found = medium_light(at, matter);
         bool there = !empty && at.r > frame.medium_hole.w && at.r < frame.medium_bound.x;
         float along = 0.0;
 #ifdef MEDIUM_MEAN
         along = mix(span.along.x, span.along.y, s);
 #endif
+#ifdef MEDIUM_STOKES
+        sum = medium_add_stokes(sum, found, medium_stokes(at, matter, span.phase), there ? way : 0.0);
+#else
         sum = medium_add(sum, found, there ? way : 0.0, along);
+#endif
         sum.step = there ? found.step * frame.medium_bound.z * (2.0 - sum.through) : sum.step;
 #ifdef MEDIUM_OWN_STEPS
         first = sum.through > frame.medium_colour.w ? first : 1.0;

@@ -26,6 +26,15 @@ struct MediumLight {
     float step;       // length of the march that is short enough here, r_s
 };
 
+#ifdef MEDIUM_STOKES
+// What a law adds of polarised light: Q, U, V of the camera's screen.
+struct MediumStokes {
+    vec3 emitted;     // over I
+    vec3 absorbed;    // over the absorption of I
+    vec3 turned;      // Faraday's conversion (Q, U) and rotation (V) for each r_s of the affine parameter, rad
+};
+#endif
+
 #define MEDIUM_INWARD 0.1   // of the distance to the horizon: what a sample may come nearer to it, or go away
 #define MEDIUM_ROUND 0.1    // rays that climb less than this have no longer samples
 

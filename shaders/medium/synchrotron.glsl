@@ -53,3 +53,7 @@ MediumLight medium_light(MediumPlace place, MediumMatter matter) {
     matter.inside = shines ? matter.inside : 0.0;
     return medium_stepped(matter, medium_by_logarithms(matter, log_emission, log_absorption));
 }
+
+#ifdef MEDIUM_STOKES
+#include "medium/synchrotron_stokes.glsl"
+#endif

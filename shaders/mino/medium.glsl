@@ -184,6 +184,9 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
     span.momentum = trace.momentum * inverse;
     span.pixel_angle = trace.pixel_angle;
     span.camera = vec3(frame.spin_place.x * frame.spin_place.z, frame.spin_place.x * frame.spin_place.w, frame.spin_place.y) / frame.shift.y;
+#ifdef MEDIUM_STOKES
+    span.phase = trace.screen_phase;
+#endif
     do {
         if (walk.part >= 1.0) walk = medium_next(walk);
         float last = min((until - walk.begun) / max(walk.segment.h, 1.0e-20), 1.0);

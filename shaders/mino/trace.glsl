@@ -1,6 +1,6 @@
 // One pixel's ray about a rotating hole, from the camera to its end (mino/kerr.glsl). In place of planar/trace.glsl, where rays stay in planes:
 // the same Trace as far as a sky asks for it. Reads the global `frame` (FrameData).
-#ifdef NEEDS_POLARISATION
+#ifdef NEEDS_SCREEN
 #include "core/screen.glsl"
 #endif
 #ifdef NEEDS_FOOTPRINT
@@ -33,7 +33,7 @@ struct Trace {
     float momentum;       // of the photon over its frequency in the observer's frame
     float energy;
     KeptCrossings kept;   // of the disc
-#ifdef NEEDS_POLARISATION
+#ifdef NEEDS_SCREEN
     vec2 screen_phase;
 #endif
 #ifdef NEEDS_PLACE
@@ -74,7 +74,7 @@ Trace trace_start(SpinView view, SpinRay ray) {
     trace.momentum = -ray.momentum;
     trace.energy = -ray.energy;
     trace.kept = kept_none();
-#ifdef NEEDS_POLARISATION
+#ifdef NEEDS_SCREEN
     trace.screen_phase = screen_phase(pixel_view(view.pixel));
 #endif
     return trace;

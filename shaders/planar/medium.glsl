@@ -84,6 +84,9 @@ MediumWalk medium_to(Trace trace, MediumWalk walk, float until) {
     span.momentum = crossed_direction(trace).z / frame.shift.y * inverse;
     span.pixel_angle = trace.pixel_angle;
     span.camera = radial_direction() / frame.shift.y;
+#ifdef MEDIUM_STOKES
+    span.phase = trace.screen_phase;
+#endif
     float rate = medium_rate(trace);
     walk.place = medium_at(trace, walk.tangent, walk.along);
     do walk = medium_through(medium_on(walk, trace, last), trace, span, rate, last);

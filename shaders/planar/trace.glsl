@@ -5,7 +5,7 @@
 #include "core/aberration.glsl"
 #endif
 #include "core/pixel_sides.glsl"
-#ifdef NEEDS_POLARISATION
+#ifdef NEEDS_SCREEN
 #include "core/screen.glsl"
 #endif
 #include "core/view.glsl"
@@ -32,7 +32,7 @@ struct Trace {
     vec3 sky;             // direction on the celestial sphere, unit to rounding; of use if escapes
     float stretch_along;  // d phi / d alpha: how fast the sky direction moves in the ray's plane
     float stretch_across; // sin(phi) / sin(alpha): and across it
-#ifdef NEEDS_POLARISATION
+#ifdef NEEDS_SCREEN
     vec2 screen_phase;
 #endif
 #ifdef NEEDS_PHI_END
@@ -225,7 +225,7 @@ Trace trace_pixel(vec2 pixel) {
     look.pixel_angle = view.angle;
     look = look_along(look, view, pixel);
     Trace trace;
-#ifdef NEEDS_POLARISATION
+#ifdef NEEDS_SCREEN
     trace.screen_phase = screen_phase(view);
 #endif
     trace.doppler = look.doppler;

@@ -56,9 +56,11 @@ struct FrameData {
 #ifdef BLOCK_THERMAL_DISC
     vec4 disc_heat;    // 1/inner, flow cells per unit of ln r, log2 of the hottest ring's temperature (K) and of its luminance
 #endif
-#ifdef BLOCK_POLARISATION
+#ifdef BLOCK_SCREEN
     vec4 screen_real;  // G of observer/screen_form.h along the camera's right, up and forward, 0
     vec4 screen_imaginary;
+#endif
+#ifdef BLOCK_POLARISATION
     vec4 polarisation; // unit field in the matter's frame along r, theta and phi; polarised fraction, below 0: by scattering
 #endif
 #ifdef BLOCK_POLARISER

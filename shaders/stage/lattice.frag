@@ -14,7 +14,7 @@ out vec4 colour;
 vec4 lattice_traced(vec2 pixel) {
     Trace trace = trace_pixel(pixel);
     MediumWalk walk = medium_to(trace, medium_walk(trace, pixel), 1.0e30);
-    return lattice_texel(walk.sum.light, walk.sum.through, trace.escapes);
+    return lattice_texel(medium_seen_light(walk.sum), medium_left(walk.sum), trace.escapes);
 }
 #endif
 

@@ -45,14 +45,41 @@ struct RaySight {
 };
 
 #ifdef NEEDS_STOKES
+#ifdef MEDIUM_STOKES
+vec3 sight_light(RaySight sight) { return layer_shown == LAYER_STOKES ? sight.medium.sum.stokes.stokes : sight.light; }
+#else
+vec3 sight_light(RaySight sight) { return layer_shown == LAYER_STOKES ? vec3(sight.stokes, 0.0) : sight.light; }
+#endif
+#else
+vec3 sight_light(RaySight sight) { return sight.light; }
+#endif
+
+#ifdef NEEDS_DISC_STOKES
 RaySight with_stokes(RaySight sight, float share) {
     sight.stokes += share > 0.0 ? share * disc_stokes : vec2(0.0);   // of no crossing it may be no number
     return sight;
 }
-vec3 sight_light(RaySight sight) { return layer_shown == LAYER_STOKES ? vec3(sight.stokes, 0.0) : sight.light; }
 #else
 RaySight with_stokes(RaySight sight, float share) { return sight; }
-vec3 sight_light(RaySight sight) { return sight.light; }
+#endif
+
+// Light from behind all that was met, of what hides `share` of what is behind it.
+RaySight with_light(RaySight sight, vec3 light, float share, int layer) {
+    sight.light += layer_light(sight.through * light, sight.through * share, layer);
+#ifdef MEDIUM_STOKES
+    sight.medium.sum.stokes = stokes_of_behind(sight.medium.sum.stokes, light);
+#endif
+    return sight;
+}
+
+// Behind what hides `cover`, besides sight.through.
+#ifdef MEDIUM_STOKES
+RaySight covered(RaySight sight, float cover) {
+    sight.medium.sum.stokes = stokes_covered(sight.medium.sum.stokes, cover);
+    return sight;
+}
+#else
+RaySight covered(RaySight sight, float cover) { return sight; }
 #endif
 
 #ifdef NEEDS_PLACE
@@ -65,9 +92,9 @@ RaySight sight_of_solid(RaySight sight, Trace trace) {
 float before_solid(RaySight sight, float along) { return min(along, sight.solid.phi); }
 
 RaySight with_solid(RaySight sight) {
-    sight.light += layer_light(sight.through * sight.body.rgb, sight.through * sight.body.a, LAYER_BODIES);
+    sight = with_light(sight, sight.body.rgb, sight.body.a, LAYER_BODIES);
     sight.through -= sight.through * sight.body.a;
-    return sight;
+    return covered(sight, sight.body.a);
 }
 
 // If it lies before a place on the ray.
@@ -91,12 +118,23 @@ RaySight sight_of_matter(RaySight sight, Trace trace, vec2 pixel) {
 }
 
 // Matter along the ray as far as a place on it.
+#ifdef MEDIUM_STOKES
+RaySight with_matter(RaySight sight, Trace trace, float until) {
+    sight.medium.sum.stokes.light = vec3(0.0);
+    sight.medium = medium_to(trace, sight.medium, until);
+    float left = medium_left(sight.medium.sum);
+    sight.light += layer_light(medium_seen_light(sight.medium.sum), max(sight.through - left, 0.0), LAYER_MEDIUM);
+    sight.through = left;
+    return sight;
+}
+#else
 RaySight with_matter(RaySight sight, Trace trace, float until) {
     sight.medium = medium_to(trace, sight.medium, until);
     sight.light += layer_light(sight.through * sight.medium.sum.light, sight.through - sight.through * sight.medium.sum.through, LAYER_MEDIUM);
     sight.through *= sight.medium.sum.through;
     return sight;
 }
+#endif
 
 RaySight with_matter_behind(RaySight sight, Trace trace) {
     if (sight.through > SIGHT_LEAST) sight = with_matter(sight, trace, 1.0e30);
@@ -124,10 +162,11 @@ RaySight with_layers(RaySight sight, Trace trace) {
         sight = with_solid_before(sight, crossing.phi);
         vec4 over = disc_colour(trace, crossing) * walk.covered;
         bool met = walk.more && crossing.hit;
-        over = met ? over * sight.through : vec4(0.0);
+        over = met ? over : vec4(0.0);
         sight = with_stokes(sight, met ? walk.covered * sight.through : 0.0);
-        sight.light += layer_light(over.rgb, over.a, LAYER_DISC + min(disc_walk_order(walk, crossing), 2));
-        sight.through = max(sight.through - over.a, 0.0);   // a cover is 1 to rounding
+        sight = with_light(sight, over.rgb, over.a, LAYER_DISC + min(disc_walk_order(walk, crossing), 2));
+        sight.through = max(sight.through - sight.through * over.a, 0.0);   // a cover is 1 to rounding
+        sight = covered(sight, over.a);
         walk = disc_next(trace, walk);
     } while (walk.more && sight.through > SIGHT_LEAST);
     return sight;
@@ -145,13 +184,13 @@ bool ends_on_sky(Trace trace) { return trace.escapes; }
 
 RaySight with_sky(RaySight sight, Trace trace) {
     if (ends_on_sky(trace) && sight.through > SIGHT_LEAST)
-        sight.light += layer_light(sight.through * celestial_sphere(trace, sky_fetches(trace)), sight.through, LAYER_SKY);
+        sight = with_light(sight, celestial_sphere(trace, sky_fetches(trace)), 1.0, LAYER_SKY);
     return sight;
 }
 #else
 #ifdef EFFECT_FAR_SKY
 RaySight with_sky(RaySight sight, Trace trace) {
-    if (!trace.escapes) sight.light += layer_light(sight.through * other_side(trace, sky_fetches(trace)), sight.through, LAYER_SKY);
+    if (!trace.escapes) sight = with_light(sight, other_side(trace, sky_fetches(trace)), 1.0, LAYER_SKY);
     return sight;
 }
 #else
@@ -168,7 +207,7 @@ bool ends_on_painted(Trace trace) { return trace.escapes; }
 
 RaySight with_painted(RaySight sight, Trace trace) {
     if (ends_on_painted(trace) && sight.through > SIGHT_LEAST)
-        sight.light += layer_light(sight.through * sky_pattern_light(trace), sight.through, LAYER_SKY);
+        sight = with_light(sight, sky_pattern_light(trace), 1.0, LAYER_SKY);
     return sight;
 }
 #else
@@ -180,7 +219,7 @@ RaySight with_black(RaySight sight, Trace trace) {
 #ifdef LAYERS
 #ifndef EFFECT_SKY
 #ifndef EFFECT_SKY_PATTERN
-    if (trace.escapes) sight.light += layer_light(vec3(0.0), sight.through, LAYER_SKY);
+    if (trace.escapes) sight = with_light(sight, vec3(0.0), 1.0, LAYER_SKY);
 #endif
 #endif
 #endif
@@ -190,7 +229,7 @@ RaySight with_black(RaySight sight, Trace trace) {
 #ifdef EFFECT_STAR
 RaySight with_star(RaySight sight, Trace trace) {
     if (!trace.escapes) {
-        sight.light += layer_light(sight.through * star_surface(trace), sight.through, LAYER_BODIES);
+        sight = with_light(sight, star_surface(trace), 1.0, LAYER_BODIES);
         sight.through = 0.0;
     }
     return sight;

@@ -61,7 +61,7 @@ Status trace_with_reference(const Scene& scene, const Spacetime& spacetime, std:
     std::optional<reference::DiscPolarisation> polarised;
     if (crossings > 0 && has_matter(scene, spacetime)) {
         matter.emplace(**metric, *scene.disc, scene.light);
-        if (is_polarised(scene)) {
+        if (has_polarised_disc(scene)) {
             TRY(made, reference::DiscPolarisation::make(scene));
             polarised.emplace(std::move(*made));
         }
@@ -105,7 +105,7 @@ std::vector<CrossingColumn> crossing_columns(const Scene& scene, const Spacetime
     std::vector<CrossingColumn> columns = {{"r", &Crossing::r, true}, {"phi", &Crossing::phi, false}};
     if (!has_matter(scene, spacetime)) return columns;
     columns.push_back({"g", &Crossing::g, false});
-    if (is_polarised(scene))
+    if (has_polarised_disc(scene))
         columns.insert(columns.end(), {{"chi", &Crossing::chi, false}, {"p", &Crossing::p, false}});
     return columns;
 }
@@ -120,7 +120,7 @@ Status trace_rays(const Scene& scene, const Spacetime& spacetime, std::span<cons
     if (options.with == "reference") return trace_with_reference(scene, spacetime, rays, options.crossings, output);
     return trace_with_shader(scene, spacetime, rays,
                              {options.with, *method, options.context, options.crossings, has_matter(scene, spacetime),
-                              has_matter(scene, spacetime) && is_polarised(scene)},
+                              has_matter(scene, spacetime) && has_polarised_disc(scene)},
                              output);
 }
 

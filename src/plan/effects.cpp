@@ -88,6 +88,10 @@ const MediumModel* model_of(const EffectSet& effects) {
         if (effects.contains(model->effect.effect)) return model;
     return nullptr;
 }
+bool polarises(const EffectSet& effects) {
+    return effects.contains(Effect::kPolarisation) || effects.contains(Effect::kMediumPolarisation);
+}
+
 bool has_medium(const EffectSet& effects) { return model_of(effects) != nullptr; }
 bool has_tiles(const EffectSet& effects) {
     if (has_medium(effects)) return false;  // nor do they of matter

@@ -76,6 +76,7 @@ enum class Effect {
     kMediumMotion = kMediumFirst + kMediumKinds,
     kMediumBlackBody,
     kMediumSynchrotron,
+    kMediumPolarisation,
     kEnd  // no effect: how many there are
 };
 // That there is a medium of a kind.
@@ -157,6 +158,7 @@ bool has_marched(
     const EffectSet& effects);  // bodies that are found by steps: all but the sphere, and that about a rotating hole
 std::vector<Projection> projections_of(const EffectSet& effects);  // other than the pinhole
 bool has_solids(const EffectSet& effects);                         // any solid body
+bool polarises(const EffectSet& effects);                          // some light is polarised
 bool has_medium(const EffectSet& effects);                         // matter along rays
 bool uses_black_body(const EffectSet& effects);                    // in the picture's shader: the table of their light
 bool takes_samples(const EffectSet& effects);                      // pixels with several rays each

@@ -58,6 +58,9 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
             {"medium.outer", fmt::format("{} is not above inner = {}", medium.outer, medium.inner), "inner < outer"});
     if (medium.kind != MediumKind::kGrid && medium.field_direction == FieldDirection::kFile)
         faults.push_back({"medium.field_direction", "no file gives this field", "file where kind = \"grid\""});
+    if (is_polarised(medium) && has_polarised_disc(scene))
+        faults.push_back(
+            {"medium.polarisation", "on, beside a disc that is polarised too", "off, or disc.polarisation = \"off\""});
     if (model.faults != nullptr) model.faults(spacetime, scene, faults);
     // The march takes 8192 (shaders/medium/march.glsl), some of them on its way to the matter.
     constexpr double kMostSpans = 8000;

@@ -26,7 +26,8 @@ bool is_synchrotron(const Scene& s) { return s.medium->law() == MediumEmission::
 bool has_power(const Scene& s) { return s.medium->law() == MediumEmission::kPowerLaw; }
 bool by_frequency(const Scene& s) { return s.medium->by_frequency(); }
 constexpr std::string_view kPower = "emission = \"power-law\"", kSynchrotron = "emission = \"synchrotron\"",
-                           kBlackBody = "emission = \"black-body\"";
+                           kBlackBody = "emission = \"black-body\"",
+                           kDirected = "emission = \"synchrotron\" and a field_direction other than isotropic";
 
 std::vector<SceneKey> power_law_keys() {
     const std::string kinds(kinds_with(kLaws));
@@ -151,6 +152,36 @@ Feature model_feature() {
             kind == 0 ? medium_keys() : std::vector<SceneKey>{}};
 }
 
+bool can_be_polarised_here(const Scene& s) { return can_be_polarised(*s.medium); }
+bool has_faraday(const Scene& s) { return is_polarised(*s.medium); }
+
+Feature polarised_feature() {
+    return {
+        {Effect::kMediumPolarisation, "medium-polarisation", "EFFECT_MEDIUM_POLARISATION",
+         "I, Q, U and V of the light of matter are transferred.", "medium.polarisation is \"on\"",
+         "two dozen exponentials and roots a sample, and its Stokes parameters"},
+        [](const FrameFacts& f) { return reason_if(has_polarised_medium(f.scene), "medium.polarisation = \"on\""); },
+        [](Scene& s) {
+            if (s.medium) s.medium->polarisation = false;
+        },
+        [](Scene& s) {
+            medium_by_formula(s);
+            s.medium->emission = MediumEmission::kSynchrotron;
+            s.medium->field_direction = FieldDirection::kEast;
+        },
+        [](Scene& s) { s.medium->polarisation = true; },
+        nullptr,
+        {on_off_key(
+             "medium", "polarisation", "off",
+             "Whether Stokes parameters I, Q, U and V of synchrotron light are transferred, with polarised "
+             "absorption. Needs emission = \"synchrotron\" and a field_direction other than isotropic.",
+             [](auto& s) { return &s.medium->polarisation; }, can_be_polarised_here, kDirected),
+         on_off_key(
+             "medium", "faraday", "on",
+             "Faraday rotation and conversion by the same electrons. Needs polarisation = \"on\".",
+             [](auto& s) { return &s.medium->faraday; }, has_faraday, "polarisation = \"on\"")}};
+}
+
 std::vector<Feature> all_features() {
     std::vector<Feature> features = [&]<std::size_t... kind>(std::index_sequence<kind...>) {
         return std::vector<Feature>{model_feature<kind>()...};
@@ -204,6 +235,7 @@ std::vector<Feature> all_features() {
                         },
                         medium_by_formula,
                         [](Scene& s) { s.medium->emission = MediumEmission::kSynchrotron; }});
+    features.push_back(polarised_feature());
     return features;
 }
 

@@ -8,7 +8,7 @@
 namespace nullscope {
 namespace {
 
-constexpr std::string_view kPolarised = "polarisation = \"scattering\" or \"synchrotron\"",
+constexpr std::string_view kPolarised = "polarised light: of a disc or a medium with a polarisation",
                            kOfField = "polarisation = \"synchrotron\"";
 
 bool is_thermal(const Scene& s) { return s.disc->emission == DiscEmission::kThermal; }
@@ -47,7 +47,7 @@ std::span<const Feature> polarisation_features() {
           "disc.polarisation is \"scattering\" or \"synchrotron\"",
           "nothing for the picture; arithmetic a crossing for Stokes parameters and a polariser"},
          [](const FrameFacts& f) -> Reason {
-             if (!is_polarised(f.scene)) return kNot;
+             if (!has_polarised_disc(f.scene)) return kNot;
              return fmt::format("disc.polarisation = \"{}\"", f.scene.disc->polarisation.by == Polarisation::kScattering
                                                                   ? "scattering"
                                                                   : "synchrotron");
@@ -60,7 +60,7 @@ std::span<const Feature> polarisation_features() {
          nullptr,
          keys_of_polarisation()},
         {{Effect::kPolariser, "polariser", "EFFECT_POLARISER", "The camera looks through a linear polariser.",
-          "there is a picture.polariser, and a disc with a polarisation", "arithmetic a crossing"},
+          "there is a picture.polariser, and a disc or a medium with a polarisation", "arithmetic a crossing"},
          [](const FrameFacts& f) -> Reason {
              if (!f.scene.picture.polariser || !is_polarised(f.scene)) return kNot;
              return fmt::format("picture.polariser = {:.6g}", *f.scene.picture.polariser * 180.0 / M_PI);
@@ -71,13 +71,13 @@ std::span<const Feature> polarisation_features() {
          nullptr,
          {{"picture", "polariser", KeyType::kNumber, "deg", "", closed(-360.0, 360.0), "",
            "If set, the picture is seen through a linear polariser with this axis, counted from the picture's right "
-           "towards up; it halves unpolarised light. Needs a disc.polarisation.",
+           "towards up; it halves unpolarised light. Needs a disc.polarisation or medium.polarisation.",
            [](auto& s) { return &s.picture.polariser; }, is_polarised, kPolarised},
           on_off_key(
               "picture", "ticks", "off",
               "Whether ticks over the displayed picture lie along the electric vector of polarised light, as long as "
               "its fraction; "
-              "needs a disc.polarisation, not in stereo pictures.",
+              "needs a disc.polarisation or medium.polarisation, not in stereo pictures.",
               [](auto& s) { return &s.picture.ticks; }, is_polarised, kPolarised)}},
     });
     return features;

@@ -107,8 +107,7 @@ FourVector turning(const NullForm& form, const FourVector& k, const FourVector& 
             lower[3] - raised * up[3]};
 }
 
-// x, y, z; k; right; up.
-using CarryState = std::array<double, 15>;
+using CarryState = CarriedRay::State;
 
 Vec3 place_of(const CarryState& s) { return {s[0], s[1], s[2]}; }
 FourVector vector_of(const CarryState& s, std::size_t from) { return {s[from], s[from + 1], s[from + 2], s[from + 3]}; }
@@ -126,6 +125,7 @@ struct CarrySlope {
             const FourVector turn = turning(form, k, vector_of(s, from));
             for (std::size_t m = 0; m < 4; ++m) d[from + m] = scale * turn[m];
         }
+        d[15] = -scale;
     }
 };
 
@@ -202,27 +202,44 @@ std::unique_ptr<const CarryingMetric> carrying_metric(const Spacetime& spacetime
     return std::make_unique<SphericalCarrying>(spacetime);
 }
 
+CarriedRay::CarriedRay(const CarryingMetric& metric, const CameraSpec& camera, const Tetrad& tetrad, Vec3 direction)
+    : metric_(metric), state_(beginning_of(metric, camera, tetrad, direction)), step_(kFirstCarryStep / camera.r) {}
+
+bool CarriedRay::advance(double length) {
+    const CarrySlope slope{metric_};
+    const Vec3 x = place_of(state_);
+    const double speed = dot(x, x) * std::hypot(state_[4], state_[5], state_[6]), most = length / speed;
+    for (;;) {
+        taken_ = std::min(step_, most);
+        if (!(taken_ > kLeastCarryStep)) return false;
+        CarryState next = state_, wrong;
+        CarryStepper().do_step(slope, state_, 0.0, next, taken_, wrong);
+        const double error = carry_error(next, wrong);
+        const double factor = error > 0 ? std::clamp(0.9 * std::pow(error, -0.125), 0.2, 4.0) : 4.0;
+        if (error <= 1) {
+            step_ = std::max(step_, factor * taken_);
+            state_ = next;
+            return true;
+        }
+        step_ = factor * taken_;
+    }
+}
+
+CarriedAxes CarriedRay::now() const {
+    return {place_of(state_), vector_of(state_, 3), vector_of(state_, 7), vector_of(state_, 11)};
+}
+
 std::optional<CarriedAxes> carried_axes(const CarryingMetric& metric, const CameraSpec& camera, const Tetrad& tetrad,
                                         Vec3 direction, int crossing) {
     const CarrySlope slope{metric};
-    CarryState state = beginning_of(metric, camera, tetrad, direction);
-    double step = kFirstCarryStep / camera.r;
+    CarriedRay ray(metric, camera, tetrad, direction);
     const double farthest = kFarAway * std::max(camera.r, 1.0);
     for (int i = 0, met = 0; i < kMostCarrySteps; ++i) {
-        const CarryState before = state;
-        CarryStepper stepper;
-        CarryState wrong;
-        stepper.do_step(slope, before, 0.0, state, step, wrong);
-        const double error = carry_error(state, wrong), taken = step;
-        step *= error > 0 ? std::clamp(0.9 * std::pow(error, -0.125), 0.2, 4.0) : 4.0;
-        if (!(step > kLeastCarryStep)) return std::nullopt;  // next to a horizon
-        if (!(error <= 1)) {
-            state = before;
-            continue;
-        }
-        if (length(place_of(state)) > farthest) return std::nullopt;
-        if (before[2] == 0 || (before[2] > 0) == (state[2] > 0) || ++met < crossing) continue;
-        const CarryState there = at_plane(slope, before, taken);
+        const CarryState before = ray.state();
+        if (!ray.advance(HUGE_VAL)) return std::nullopt;
+        if (length(place_of(ray.state())) > farthest) return std::nullopt;
+        if (before[2] == 0 || (before[2] > 0) == (ray.state()[2] > 0) || ++met < crossing) continue;
+        const CarryState there = at_plane(slope, before, ray.taken());
         return CarriedAxes{place_of(there), vector_of(there, 3), vector_of(there, 7), vector_of(there, 11)};
     }
     return std::nullopt;

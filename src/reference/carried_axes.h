@@ -42,8 +42,27 @@ struct CarriedAxes {
     FourVector k, right, up;
 };
 
-// tetrad: the camera's e_0, right, up, backward in ingoing coordinates (v, r, theta, phi~/sin(theta)). direction: where the photon comes from,
-// along right, up and backward, unit. crossing: 1 for the first. Nothing: the ray has left before, or fell in. Some milliseconds; within 1e-11.
+// A ray from the camera, step by step. tetrad: the camera's e_0, right, up, backward in ingoing coordinates (v, r, theta, phi~/sin(theta)).
+// direction: where the photon comes from, along right, up and backward, unit.
+class CarriedRay {
+public:
+    CarriedRay(const CarryingMetric& metric, const CameraSpec& camera, const Tetrad& tetrad, Vec3 direction);
+    // A step of at most `length` r_s in these coordinates, as long as its error allows. False: next to a horizon none is of use, and nothing has moved.
+    bool advance(double length);
+    CarriedAxes now() const;
+    double affine() const { return state_[15]; }  // from the camera, of a photon of unit frequency there, r_s
+
+    using State = std::array<double, 16>;  // x, y, z; k; right; up; affine parameter
+    const State& state() const { return state_; }
+    double taken() const { return taken_; }  // the last step, of the parameter that it integrates by
+
+private:
+    const CarryingMetric& metric_;
+    State state_;
+    double step_, taken_ = 0;
+};
+
+// crossing: 1 for the first. Nothing: the ray has left before, or fell in. Some milliseconds; within 1e-11.
 std::optional<CarriedAxes> carried_axes(const CarryingMetric& metric, const CameraSpec& camera, const Tetrad& tetrad,
                                         Vec3 direction, int crossing);
 

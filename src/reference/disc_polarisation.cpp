@@ -2,69 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "observer/pose.h"
+#include "reference/carrying_place.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::reference {
 namespace {
 
-// The equatorial plane at a place, in the coordinates of carried_axes.h: vectors by components in ingoing coordinates (v, r, theta, phi~).
-class EquatorialPlace {
-public:
-    EquatorialPlace(const CarryingMetric& metric, const Vec3& x)
-        : metric_(metric),
-          x_(x),
-          a_(metric.a()),
-          r_(metric.radius(x)),
-          flat_(x.x, x.y),
-          out_(flat_ / std::complex(r_, a_)) {
-        delta_ = r_ * r_ * (1 - metric.at(x).f) + a_ * a_;
-    }
-    double r() const { return r_; }
-    FourVector ingoing(double v, double r, double theta, double phi) const {
-        const std::complex<double> flat = r * out_ + std::complex(0.0, phi) * flat_;
-        return {v - r, flat.real(), flat.imag(), -r_ * theta};
-    }
-    // By components of Boyer and Lindquist's t, r, phi, without rotation Schwarzschild's.
-    FourVector outer(double t, double r, double phi) const {
-        return ingoing(t + (r_ * r_ + a_ * a_) / delta_ * r, r, 0, phi + a_ / delta_ * r);
-    }
-    FourVector time() const { return outer((r_ * r_ + a_ * a_) / root(), 0, a_ / root()); }  // Carter's frame
-    FourVector radial() const { return outer(0, std::sqrt(delta_) / r_, 0); }
-    FourVector south() const { return ingoing(0, 0, 1 / r_, 0); }
-    FourVector azimuthal() const { return outer(a_ / r_, 0, 1 / r_); }
-    double product(const FourVector& u, const FourVector& v) const { return metric_.product(x_, u, v); }
-
-private:
-    double root() const { return r_ * std::sqrt(delta_); }
-    const CarryingMetric& metric_;
-    Vec3 x_;
-    double a_, r_;
-    std::complex<double> flat_, out_;
-    double delta_ = 0;
+// Carter's frame in the equatorial plane.
+struct CarterFrame {
+    FourVector time, radial, south, azimuthal;
 };
-
-FourVector sum(double a, const FourVector& u, double b, const FourVector& v) {
-    FourVector w{};
-    for (std::size_t m = 0; m < 4; ++m) w[m] = a * u[m] + b * v[m];
-    return w;
-}
-
-// With the matter, after a boost without rotation from Carter's frame.
-FourVector moved(const EquatorialPlace& at, const FourVector& b, const FourVector& u) {
-    const FourVector e = at.time();
-    return sum(1, b, at.product(u, b) / (1 - at.product(u, e)), sum(1, u, 1, e));
-}
-
-// epsilon_abcd p^a u^b k^c f^d: these coordinates have the determinant -1.
-double volume(const FourVector& p, const FourVector& u, const FourVector& k, const FourVector& f) {
-    const auto minor = [&](std::size_t i, std::size_t j, std::size_t l) {
-        return u[i] * (k[j] * f[l] - k[l] * f[j]) - u[j] * (k[i] * f[l] - k[l] * f[i]) +
-               u[l] * (k[i] * f[j] - k[j] * f[i]);
-    };
-    return p[0] * minor(1, 2, 3) - p[1] * minor(0, 2, 3) + p[2] * minor(0, 1, 3) - p[3] * minor(0, 1, 2);
+CarterFrame carter_frame(const CarryingPlace& at, double a) {
+    const double r = at.r(), root = r * std::sqrt(at.delta());
+    return {at.outer((r * r + a * a) / root, 0, 0, a / root), at.outer(0, std::sqrt(at.delta()) / r, 0, 0),
+            at.ingoing(0, 0, 1 / r, 0), at.outer(a / r, 0, 0, 1 / r)};
 }
 
 }  // namespace
@@ -108,14 +61,15 @@ std::optional<Polarised> DiscPolarisation::at(const RayQuery& query, int crossin
 std::optional<Polarised> DiscPolarisation::at(const CameraAxes& from, Vec3 direction, int crossing, Flow flow) const {
     const auto axes = carried_axes(*carrying_, from.camera, from.tetrad, direction, crossing);
     if (!axes) return {};
-    const EquatorialPlace place(*carrying_, axes->place);
+    const CarryingPlace place(*carrying_, axes->place);
+    const CarterFrame frame = carter_frame(place, carrying_->a());
     const DiscLight::Velocity v = flow == Flow::kCircle ? matter_->circling(place.r()) : matter_->velocity(place.r());
-    const FourVector u = place.outer(v.t, v.r, v.phi);
+    const FourVector u = place.outer(v.t, v.r, 0, v.phi);
     const Vec3 field = field_of(spec_);
-    const FourVector b = sum(field.x, place.radial(), 1, sum(field.y, place.azimuthal(), -field.z, place.south()));
-    const FourVector across = moved(place, b, u);
-    const double right = volume(axes->right, u, axes->k, across), up = volume(axes->up, u, axes->k, across);
-    const double cosine = std::abs(place.product(axes->k, place.south()) / place.product(axes->k, u));
+    const FourVector b = sum_of(field.x, frame.radial, 1, sum_of(field.y, frame.azimuthal, -field.z, frame.south));
+    const FourVector across = moved(place, b, u, frame.time);
+    const double right = volume_of(axes->right, u, axes->k, across), up = volume_of(axes->up, u, axes->k, across);
+    const double cosine = std::abs(place.product(axes->k, frame.south) / place.product(axes->k, u));
     const double fraction = polarised_fraction(spec_).value_or(scattered_fraction(std::min(cosine, 1.0)));
     return Polarised{place.r(), std::remainder(std::atan2(up, right), M_PI), fraction};
 }

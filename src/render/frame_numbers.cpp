@@ -138,12 +138,14 @@ void put_disc(FrameData& frame, const FramePlan& plan, const TextureFacts& textu
 
 void put_polarisation(FrameData& frame, const FramePlan& plan) {
     const Scene& scene = plan.scene;
-    if (!plan.effects.contains(Effect::kPolarisation)) return;
+    if (!polarises(plan.effects)) return;
     const ScreenForm form = screen_form(*plan.light, scene.camera, plan.observer, scene.light.aberration);
     frame.screen_real = {form[0].real(), form[1].real(), form[2].real(), 0};
     frame.screen_imaginary = {form[0].imag(), form[1].imag(), form[2].imag(), 0};
-    const Vec3 field = field_of(scene.disc->polarisation);
-    frame.polarisation = {field.x, -field.z, field.y, polarised_fraction(scene.disc->polarisation).value_or(-1.0)};
+    if (has_polarised_disc(scene)) {
+        const Vec3 field = field_of(scene.disc->polarisation);
+        frame.polarisation = {field.x, -field.z, field.y, polarised_fraction(scene.disc->polarisation).value_or(-1.0)};
+    }
     const double axis = scene.picture.polariser.value_or(0.0);
     frame.polariser = {std::cos(2.0 * axis), std::sin(2.0 * axis), 0, 0};
 }

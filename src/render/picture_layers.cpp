@@ -18,10 +18,11 @@ void pass_polariser(double axis, Image<float>& stokes) {
         float* of = &stokes.data[kStokesParameters * i];
         of[1] = of[0] * static_cast<float>(std::cos(2.0 * axis));
         of[2] = of[0] * static_cast<float>(std::sin(2.0 * axis));
+        of[3] = 0.0f;
     }
 }
 
-// Of Q and U of the layer kStokes.
+// Of Q, U and V of the layer kStokes.
 Image<float> stokes_of(Renderer& renderer, const Image<float>& light) {
     const Image<float> polarised = renderer.layer(PictureLayer::kStokes);
     Image<float> stokes(light.width, light.height, kStokesParameters);
@@ -29,7 +30,7 @@ Image<float> stokes_of(Renderer& renderer, const Image<float>& light) {
         const float *rgb = &light.data[3 * i], *part = &polarised.data[3 * i];
         float* of = &stokes.data[kStokesParameters * i];
         of[0] = luminance_of(rgb);
-        of[1] = part[0], of[2] = part[1], of[3] = 0.0f;
+        std::copy_n(part, 3, of + 1);
     }
     const auto& axis = renderer.tables().plan().scene.picture.polariser;
     if (axis) pass_polariser(*axis, stokes);
@@ -57,7 +58,7 @@ PictureLayers draw_layers(Renderer& renderer) {
     if (bodies) add("bodies", PictureLayer::kBodies, shares, 0);
     if (has_medium(effects)) add("medium", PictureLayer::kMedium, shares, 2);
     add("sky", PictureLayer::kSky, shares, 1);
-    if (effects.contains(Effect::kPolarisation)) layers.stokes = stokes_of(renderer, layers.all);
+    if (polarises(effects)) layers.stokes = stokes_of(renderer, layers.all);
     layers.covered = channel_of(shares, 1);
     for (float& part : layers.covered) part = std::clamp(1.0f - part, 0.0f, 1.0f);
     return layers;

@@ -110,6 +110,8 @@ struct MediumSpec {
     double temperature_K = 8000.0;  // of gas at its inner radius; else of the black body of light 1
     double opacity = 1.0;           // kBlackBody: optical depth for each r_s where the density is 1
     FieldDirection field_direction = FieldDirection::kIsotropic;  // kSynchrotron
+    bool polarisation = false;  // of kSynchrotron in a field of one direction: I, Q, U, V are transferred ...
+    bool faraday = true;        // ... with Faraday's rotation and conversion
 
     // Linear light; 1 is a brightness temperature of kMediumLight_K where by_frequency(), else a black body of temperature_K.
     Vec3 colour{1, 1, 1};
@@ -122,5 +124,9 @@ struct MediumSpec {
     friend bool operator==(const MediumSpec&, const MediumSpec&) = default;
 };
 inline constexpr double kMediumLight_K = 1e9;
+inline bool can_be_polarised(const MediumSpec& medium) {
+    return medium.law() == MediumEmission::kSynchrotron && medium.field_direction != FieldDirection::kIsotropic;
+}
+inline bool is_polarised(const MediumSpec& medium) { return medium.polarisation && can_be_polarised(medium); }
 
 }  // namespace nullscope

@@ -388,10 +388,12 @@ struct Scene {
     double time = 0.0;
 };
 
-// Whether some of its light is polarised: a thermal disc's.
-inline bool is_polarised(const Scene& scene) {
+// Whether some of its light is polarised: a thermal disc's, or that of matter along rays.
+inline bool has_polarised_disc(const Scene& scene) {
     return scene.disc && scene.disc->emission == DiscEmission::kThermal &&
            scene.disc->polarisation.by != Polarisation::kOff;
 }
+inline bool has_polarised_medium(const Scene& scene) { return scene.medium && is_polarised(*scene.medium); }
+inline bool is_polarised(const Scene& scene) { return has_polarised_disc(scene) || has_polarised_medium(scene); }
 
 }  // namespace nullscope

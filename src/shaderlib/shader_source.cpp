@@ -62,6 +62,8 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
         defines.emplace_back(effect_row(effect).define);
         defines.push_back("BLOCK_" + defines.back().substr(std::string_view("EFFECT_").size()));
     }
+    if (effects.contains(Effect::kMediumPolarisation)) defines.emplace_back("BLOCK_SCREEN");
+    if (effects.contains(Effect::kPolarisation)) defines.emplace_back("BLOCK_SCREEN");
     if (takes_samples(effects)) defines.emplace_back("NEEDS_SAMPLING");
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (const MediumModel* model = model_of(effects)) {
@@ -189,11 +191,15 @@ std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Ou
     if (draws_picture(stage)) defines.emplace_back("NEEDS_FOOTPRINT");
     if (draws_picture(stage) && output == Output::kDisplay) defines.emplace_back("DISPLAY_ENCODE");
     if (draws_picture(stage) && output == Output::kLayers) defines.emplace_back("LAYERS");
-    const bool stokes =
-        draws_picture(stage) && !sky_alone && output == Output::kLayers && effects.contains(Effect::kPolarisation);
-    if (stokes) defines.emplace_back("NEEDS_STOKES");
-    if (stokes || (draws_picture(stage) && !sky_alone && effects.contains(Effect::kPolariser)))
-        for (const char* define : {"NEEDS_POLARISATION", "NEEDS_RISE"}) defines.emplace_back(define);
+    const bool lights = (draws_picture(stage) || draws_lattice(stage)) && !sky_alone,
+               stokes = lights && output == Output::kLayers, disc = effects.contains(Effect::kPolarisation),
+               medium = effects.contains(Effect::kMediumPolarisation);
+    if (stokes && (disc || medium)) defines.emplace_back("NEEDS_STOKES");
+    if (stokes && disc) defines.emplace_back("NEEDS_DISC_STOKES");
+    if (disc && (stokes || (lights && effects.contains(Effect::kPolariser))))
+        for (const char* define : {"NEEDS_SCREEN", "NEEDS_POLARISATION", "NEEDS_RISE"}) defines.emplace_back(define);
+    if (lights && medium)
+        for (const char* define : {"NEEDS_SCREEN", "MEDIUM_STOKES"}) defines.emplace_back(define);
     for (std::string& define : method_defines(method)) defines.push_back(std::move(define));
     return defines;
 }

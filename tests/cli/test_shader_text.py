@@ -64,8 +64,8 @@ WORDS = {
     "inner-horizon": [r"inner_horizon\w*"],
     "sides": [r"\w+_by_side", r"throat", r"end_side"],
     "limb-darkening": [r"limb_darkening", r"disc_cosine", r"disc_light"],
-    "polarisation": [r"vec4 screen_(?:real|imaginary)", r"vec4 polarisation"],
-    "polariser": [r"disc_polarised", r"vec4 polariser", r"screen_phase"],
+    "polarisation": [r"vec4 polarisation"],
+    "polariser": [r"disc_polarised", r"vec4 polariser"],
     "disc-gas": [r"disc_gas\w*"],
     "medium-gas": [r"gas_(?:clumps|rim|rate)", r"GAS_(?:INNER|OUTER|THICKNESS|HEAT|RIM)"],
     "medium-motion": [r"gas_moved"],
@@ -73,6 +73,7 @@ WORDS = {
     "medium-grid": [r"grid_\w+", r"GridNumbers", r"medium_texture"],
     "medium-black-body": [],   # JOINT has them
     "medium-synchrotron": [r"log2_synchrotron"],
+    "medium-polarisation": [r"medium_stokes", r"stokes_(?:rows|factors|through|turned)", r"screen_direction"],
 }
 # Words of any of several effects.
 JOINT = {("medium-formula", "medium-grid"): [r"SPHERE_(?:RADIUS|HEIGHT|STEP)", r"medium_(?:in_sphere|inside)"], ("medium-gas", "medium-black-body"): [r"medium_glow"]}
@@ -123,6 +124,8 @@ SCENES = {
     "spin, disc, sky": '[spacetime]\nmetric = "kerr"\n[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nemission = "thermal"\n',
     "limb-darkening": '[sky]\nkind = "black"\n[disc]\nemission = "thermal"\nlimb_darkening = "on"\n',
     "spin, limb-darkening": '[spacetime]\nmetric = "kerr"\n[disc]\nemission = "thermal"\nlimb_darkening = "on"\n',
+    "spin, medium-polarisation": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "formula"\nemission = "synchrotron"\nfield_direction = "south"\npolarisation = "on"\n',
+    "medium-polarisation, polariser": '[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "flow"\nemission = "synchrotron"\nfield_direction = "east"\npolarisation = "on"\n[picture]\npolariser = 20\n',
     "polarisation": '[sky]\nkind = "black"\n[disc]\nemission = "thermal"\npolarisation = "scattering"\n',
     "polariser": '[disc]\nemission = "thermal"\npolarisation = "synchrotron"\n[picture]\npolariser = 30\n',
     "spin, polariser": '[spacetime]\nmetric = "kerr"\n[disc]\nemission = "thermal"\npolarisation = "scattering"\n[picture]\npolariser = 30\n[spot]\n[light]\ndelay = "off"\n',

@@ -144,12 +144,13 @@ const std::vector<Mark> kMarks = {
     {Effect::kPulse, {"pulse_room"}},
     {Effect::kInnerHorizon, {"inner_horizon_time("}},
     {Effect::kLimbDarkening, {"limb_darkening(", "disc_cosine(", "disc_light("}},
-    {Effect::kPolarisation, {"vec4 screen_real;", "vec4 polarisation;"}},
+    {Effect::kPolarisation, {"vec4 polarisation;"}},
     {Effect::kPolariser, {"disc_polarised(", "vec4 polariser;"}},
     {Effect::kMediumMotion, {"gas_moved("}},
     {medium_effect(MediumKind::kGrid), {"medium_texture", "grid_at(", "GRID_RING"}},
     {Effect::kMediumBlackBody, {}},  // gas has its shader too: see below
     {Effect::kMediumSynchrotron, {"log2_synchrotron("}},
+    {Effect::kMediumPolarisation, {"medium_stokes(", "stokes_rows(", "screen_direction("}},
     {Effect::kDiscGas, {"disc_gas(", "disc_gas_gaps(", "vec4 disc_gas;"}},
 };
 
