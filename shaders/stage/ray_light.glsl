@@ -63,14 +63,28 @@ RaySight with_stokes(RaySight sight, float share) {
 RaySight with_stokes(RaySight sight, float share) { return sight; }
 #endif
 
-// Light from behind all that was met, of what hides `share` of what is behind it.
-RaySight with_light(RaySight sight, vec3 light, float share, int layer) {
-    sight.light += layer_light(sight.through * light, sight.through * share, layer);
 #ifdef MEDIUM_STOKES
+RaySight with_stokes_of(RaySight sight, vec3 light) {
     sight.medium.sum.stokes = stokes_of_behind(sight.medium.sum.stokes, light);
-#endif
     return sight;
 }
+#else
+RaySight with_stokes_of(RaySight sight, vec3 light) { return sight; }
+#endif
+
+// Light from behind all that was met, of what hides `share` of what is behind it.
+#ifdef LAYERS
+RaySight with_light(RaySight sight, vec3 light, float share, int layer) {
+    sight.light += layer_light(sight.through * light, sight.through * share, layer);
+    return with_stokes_of(sight, light);
+}
+#else
+RaySight with_all_light(RaySight sight, vec3 light) {
+    sight.light += sight.through * light;
+    return sight;
+}
+#define with_light(sight, light, share, layer) with_all_light(sight, light)
+#endif
 
 // Behind what hides `cover`, besides sight.through.
 #ifdef MEDIUM_STOKES

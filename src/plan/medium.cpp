@@ -58,6 +58,8 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
             {"medium.outer", fmt::format("{} is not above inner = {}", medium.outer, medium.inner), "inner < outer"});
     if (medium.kind != MediumKind::kGrid && medium.field_direction == FieldDirection::kFile)
         faults.push_back({"medium.field_direction", "no file gives this field", "file where kind = \"grid\""});
+    if (medium.field_direction == FieldDirection::kVector && length(medium.field_vector) == 0.0)
+        faults.push_back({"medium.field_vector", "[0, 0, 0] has no direction", "three numbers, one of them not 0"});
     if (is_polarised(medium) && has_polarised_disc(scene))
         faults.push_back(
             {"medium.polarisation", "on, beside a disc that is polarised too", "off, or disc.polarisation = \"off\""});

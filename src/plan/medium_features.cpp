@@ -103,10 +103,11 @@ SceneKey emission_key() {
 std::vector<SceneKey> extent_keys() {
     const std::string_view with = kinds_with(kSphere);
     return {
-        {"medium", "field_direction", KeyType::kChoice, "", "isotropic", kNoRange, "isotropic out south east file",
+        {"medium", "field_direction", KeyType::kChoice, "", "isotropic", kNoRange,
+         "isotropic out south east file vector",
          "Direction of the magnetic field in the frame of the matter; isotropic: the mean over all directions; file: "
          "that of kind "
-         "= \"grid\". Needs emission = \"synchrotron\".",
+         "= \"grid\"; vector: medium.field_vector. Needs emission = \"synchrotron\".",
          [](auto& s) { return &s.medium->field_direction; }, is_synchrotron, kSynchrotron},
         {"medium", "height", KeyType::kNumber, "r_s", "1e6", kPositive, "",
          kept(fmt::format("Largest distance of the matter from the equatorial plane. Needs {}.", with)),
@@ -171,7 +172,13 @@ Feature polarised_feature() {
         },
         [](Scene& s) { s.medium->polarisation = true; },
         nullptr,
-        {on_off_key(
+        {{"medium", "field_vector", KeyType::kPoint, "", "[0, 0, 1]", closed(-1.0, 1.0), "",
+          "Direction of the field: its radial, azimuthal (with growing phi) and vertical (north) component. Needs "
+          "field_direction = \"vector\".",
+          [](auto& s) { return &s.medium->field_vector; },
+          [](const Scene& s) { return is_synchrotron(s) && s.medium->field_direction == FieldDirection::kVector; },
+          "field_direction = \"vector\""},
+         on_off_key(
              "medium", "polarisation", "off",
              "Whether Stokes parameters I, Q, U and V of synchrotron light are transferred, with polarised "
              "absorption. Needs emission = \"synchrotron\" and a field_direction other than isotropic.",

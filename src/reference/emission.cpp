@@ -122,8 +122,8 @@ Emission::Seen Emission::seen(const MatterState& matter, const PlaceMetric& g, c
     // The field's unit vector, boosted with the matter.
     std::array<double, 3> b = {matter.field_way.x, matter.field_way.y, matter.field_way.z};
     if (spec_.field_direction != FieldDirection::kFile) {
-        b = {};
-        b[static_cast<std::size_t>(spec_.field_direction) - 1] = 1;
+        const Vec3 way = field_way_of(spec_);
+        b = {way.x, way.y, way.z};
     }
     const double moved = u[0] * b[0] + u[1] * b[1] + u[2] * b[2],
                  straight = b[0] * along[1] + b[1] * along[2] + b[2] * along[3];

@@ -60,7 +60,21 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     tracer.matter_ = std::move(*metric);
     if (Status medium = check_medium(**spacetime, scene); !medium) return medium.error();
     if (Status read = scene.medium ? read_matter(**spacetime, scene) : Done{}; !read) return read.error();
-    if (scene.medium) tracer.medium_ = std::make_shared<Medium>(scene, *tracer.matter_);
+    if (scene.picture.polariser && has_polarised_disc(scene))
+        return bad_input("picture.polariser: the reference draws no polarised disc through one",
+                         "a scene without a polariser, or disc.polarisation = \"off\"");
+    const bool polarised = has_polarised_medium(scene);
+    if (polarised && (scene.disc || !scene.bodies.empty() || (*spacetime)->inner_end() == InnerEnd::kSurface))
+        return bad_input("medium.polarisation: the reference polarises matter before a sky alone",
+                         "a scene without disc and bodies, or polarisation = \"off\"");
+    if (polarised) {
+        TRY(stokes, MatterStokes::make(scene));
+        TRY(axes, stokes->axes_of(camera));
+        tracer.stokes_ = std::make_shared<const MatterStokes>(std::move(*stokes));
+        tracer.axes_ = *axes;
+    } else if (scene.medium) {
+        tracer.medium_ = std::make_shared<Medium>(scene, *tracer.matter_);
+    }
     tracer.bodies_ = std::make_shared<Bodies>(scene, *tracer.matter_);
     const bool late = scene.light.delay && !moving_parts(scene).empty(),
                disc_moves = scene.disc && (!scene.spots.empty() || scene.disc->flow != DiscFlowKind::kStill);
@@ -68,7 +82,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     TRY(rays, tracer.matter_->rays(scene, **spacetime, task));
     tracer.bare_rays_ = std::move(*rays);
     tracer.rays_ = tracer.bare_rays_;
-    if (scene.medium) {
+    if (tracer.medium_) {
         task.medium = tracer.medium_.get();
         TRY(through_matter, tracer.matter_->rays(scene, **spacetime, task));
         tracer.rays_ = std::move(*through_matter);
@@ -85,6 +99,11 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
 RayPtr FrameTracer::ray(double x, double y) const { return rays_->ray(pixel_direction(camera_, x, y)); }
 
 RayPtr FrameTracer::ray_of_many(double x, double y) const { return many_rays_->ray(pixel_direction(camera_, x, y)); }
+
+std::optional<RayStokes> FrameTracer::stokes(double x, double y) const {
+    if (!stokes_) return std::nullopt;
+    return stokes_->at(axes_, normalized(pixel_direction(camera_, x, y)));
+}
 
 std::vector<Vec3> FrameTracer::directions(const std::vector<std::array<double, 2>>& positions) const {
     std::vector<Vec3> found;

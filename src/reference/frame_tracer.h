@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "reference/bodies.h"
+#include "reference/matter_stokes.h"
 #include "reference/medium.h"
 #include "reference/metric.h"
 #include "reference/plane_ray.h"
@@ -44,8 +45,10 @@ public:
     RayPixel pixel(double x, double y, bool with_delay = true) const;
     // Of any number of positions, kRaysTogether at a time.
     std::vector<RayPixel> pixels(const std::vector<std::array<double, 2>>& positions, bool with_delay = true) const;
-    const Medium* medium() const { return medium_.get(); }  // null where there is none
-    const Metric& matter() const { return *matter_; }       // of what rays meet: they run straight without lensing
+    const Medium* medium() const { return medium_.get(); }  // null where there is none, or its light is polarised
+    // Of polarised matter along a pixel's ray, without the medium's colour. Nothing: there is none. Some 10 ms.
+    std::optional<RayStokes> stokes(double x, double y) const;
+    const Metric& matter() const { return *matter_; }  // of what rays meet: they run straight without lensing
     const PlaneRays* plane_rays() const { return rays_->in_plane(); }  // null where rays stay in no plane
 
 private:
@@ -57,6 +60,8 @@ private:
     std::shared_ptr<const Metric> matter_;
     std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const Medium> medium_;
+    std::shared_ptr<const MatterStokes> stokes_;
+    CameraAxes axes_{};
     std::shared_ptr<const RayFamily> many_rays_, rays_,
         bare_rays_;  // the latter ask nothing of matter along them, of which ray data has nothing
 };

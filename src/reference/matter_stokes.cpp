@@ -132,10 +132,7 @@ EvenMatter MatterStokes::matter_at(const CarriedAxes& axes, double azimuth, doub
     const auto along = [&](const Vec3& v) { return sum_of(v.x, out, 1, sum_of(v.y, south, v.z, east)); };
     const FourVector u =
         sum_of(std::sqrt(1 + dot(matter->velocity, matter->velocity)), e_t, 1, along(matter->velocity));
-    Vec3 field = matter->field_way;
-    if (spec_.field_direction == FieldDirection::kOutward) field = {1, 0, 0};
-    if (spec_.field_direction == FieldDirection::kSouth) field = {0, 1, 0};
-    if (spec_.field_direction == FieldDirection::kEast) field = {0, 0, 1};
+    const Vec3 field = spec_.field_direction == FieldDirection::kFile ? matter->field_way : field_way_of(spec_);
     const FourVector b = moved(place, along(field), u, e_t);
     const double frequency = -place.product(axes.k, u), ratio = 1 / frequency;
     const double cosine = std::clamp(place.product(axes.k, b) * ratio, -1.0, 1.0);
@@ -158,34 +155,29 @@ EvenMatter MatterStokes::matter_at(const CarriedAxes& axes, double azimuth, doub
             {light, light * q, light * u2, light * v}};
 }
 
-Stokes MatterStokes::at(const CameraAxes& from, Vec3 direction, double panels) const {
+RayStokes MatterStokes::at(const CameraAxes& from, Vec3 direction, double panels) const {
     CarriedRay ray(*carrying_, from.camera, from.tetrad, direction);
     const double azimuth = from.camera.phi - azimuth_ahead(*spacetime_, from.camera.r), farthest = model_->farthest();
-    Mueller through{};
-    for (std::size_t i = 0; i < 4; ++i) through[i][i] = 1;
-    Stokes sum{};
-    for (int i = 0; i < kMostPieces && through[0][0] > kOpaque; ++i) {
-        const Vec3 x = ray.now().place;
-        const double r = carrying_->radius(x), beyond = r - farthest;
-        const double flat = std::hypot(x.x, x.y);
-        const Vec3 way{flat > 0 ? x.x / flat * std::sqrt(1 - x.z * x.z / (r * r)) : 0,
-                       flat > 0 ? x.y / flat * std::sqrt(1 - x.z * x.z / (r * r)) : 0, x.z / r};
-        const double piece = std::max(model_->panel({r, way}) / panels, kFarStep * beyond);
-        const double before = ray.affine();
-        if (!ray.advance(0.5 * piece)) break;
-        const CarriedAxes middle = ray.now();
-        if (!ray.advance(0.5 * piece)) break;
-        const double now = carrying_->radius(middle.place);
-        if (now < nearest_) break;
-        const Vec3 k{middle.k[1], middle.k[2], middle.k[3]};  // to the camera
-        if (now > farthest && dot(k, middle.place) < 0) break;
-        if (now > farthest) continue;
-        const EvenLight found = even_light(matter_at(middle, azimuth, ray.affine() - before));
-        const Stokes seen = product(through, found.light);
-        for (std::size_t n = 0; n < 4; ++n) sum[n] += seen[n];
-        through = product(through, found.through);
+    RayStokes seen{};
+    for (std::size_t i = 0; i < 4; ++i) seen.through[i][i] = 1;
+    CarriedAxes here = ray.now();
+    double before = 0, now = 0;  // affine parameters of the last place and of this one
+    for (int i = 0; i < kMostPieces && seen.through[0][0] > kOpaque; ++i) {
+        const CarryingPlace place(*carrying_, here.place);
+        const double beyond = place.r() - farthest;
+        const Vec3 to_camera{here.k[1], here.k[2], here.k[3]};
+        if (place.r() < nearest_ || (beyond > 0 && dot(to_camera, here.place) < 0)) break;
+        const double panel = model_->panel({place.r(), place.direction()}) / panels;
+        if (!ray.advance(std::max(panel, kFarStep * beyond))) break;
+        if (beyond <= 0) {  // as far as halfway to the places beside it
+            const EvenLight found = even_light(matter_at(here, azimuth, 0.5 * (ray.affine() - before)));
+            const Stokes light = product(seen.through, found.light);
+            for (std::size_t n = 0; n < 4; ++n) seen.light[n] += light[n];
+            seen.through = product(seen.through, found.through);
+        }
+        before = now, now = ray.affine(), here = ray.now();
     }
-    return sum;
+    return seen;
 }
 
 }  // namespace nullscope::reference

@@ -28,6 +28,9 @@ struct EvenLight {
 };
 EvenLight even_light(const EvenMatter& matter);  // by its series and squaring: to 1e-14
 
+// Of a whole ray: matter's light, and what of light behind it gets through.
+using RayStokes = EvenLight;
+
 class MatterStokes {
 public:
     // The scene's camera is not asked for. Errors: a scene without a medium whose light is polarised, one that changes with time, a metric that
@@ -36,7 +39,7 @@ public:
     Result<CameraAxes> axes_of(const CameraSpec& camera) const;  // errors: no such observer there
     // In the units of linear light of colour 1. direction: where the photon comes from, along the camera's right, up and backward, unit. panels: pieces over the
     // usual ones (matter_model.h). Some 10 ms.
-    Stokes at(const CameraAxes& from, Vec3 direction, double panels = 1) const;
+    RayStokes at(const CameraAxes& from, Vec3 direction, double panels = 1) const;
 
 private:
     MatterStokes() = default;

@@ -194,6 +194,18 @@ Vec3 ray_colour(const Looks& looks, const TracedRay& ray) {
     return colour;
 }
 
+// A polariser takes the half of unpolarised light, and of what is behind polarised matter nothing is.
+Vec3 polarised_colour(const Looks& looks, const std::array<double, 2>& place, const Vec3& behind) {
+    const auto stokes = looks.tracer.stokes(place[0], place[1]);
+    if (!stokes) return behind;
+    const auto& axis = looks.scene.picture.polariser;
+    const double c = axis ? std::cos(2 * *axis) : 0, s = axis ? std::sin(2 * *axis) : 0;
+    const auto passed = [&](double i, double q, double u) { return (axis ? 0.5 : 1) * (i + c * q + s * u); };
+    const auto& through = stokes->through;
+    return passed(stokes->light[0], stokes->light[1], stokes->light[2]) * looks.scene.medium->colour +
+           passed(through[0][0], through[1][0], through[2][0]) * behind;
+}
+
 // The light of rays through places of the picture, in their order.
 std::vector<Vec3> colours(const Looks& looks, const std::vector<std::array<double, 2>>& places) {
     const CameraSpec& camera = looks.scene.camera;
@@ -208,7 +220,7 @@ std::vector<Vec3> colours(const Looks& looks, const std::vector<std::array<doubl
         }
         const std::vector<RayPtr> rays = looks.tracer.rays(seen);
         for (std::size_t k = 0; k < rays.size(); ++k)
-            found[lights[k].first] = lights[k].second * ray_colour(looks, *rays[k]);
+            found[lights[k].first] = lights[k].second * polarised_colour(looks, seen[k], ray_colour(looks, *rays[k]));
     }
     return found;
 }
@@ -220,6 +232,7 @@ double transmission(const Looks& looks, double x, double y) {
     Vec3 light;
     double through = 1;
     MatterAhead(looks, *ray).pass(INFINITY, light, through);
+    if (const auto stokes = looks.tracer.stokes(x, y)) through = stokes->through[0][0];
     for (const DiscHit& hit : looks.tracer.disc_hits(*ray, kMostHits)) through *= 1 - pattern_at(looks, hit).alpha;
     return through;
 }

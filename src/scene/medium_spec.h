@@ -84,8 +84,8 @@ inline constexpr EmissionLaw kEmissionLaws[] = {
     {"bremsstrahlung", "thermal electrons among protons", true, true, false},
 };
 
-// Of the magnetic field in the frame of the matter; kIsotropic: the mean over all directions; kFile: the file's, of kGrid alone.
-enum class FieldDirection { kIsotropic, kOutward, kSouth, kEast, kFile };
+// Of the magnetic field in the frame of the matter; kIsotropic: the mean over all directions; kFile: the file's, of kGrid alone; kVector: MediumSpec::field_vector.
+enum class FieldDirection { kIsotropic, kOutward, kSouth, kEast, kFile, kVector };
 
 struct MediumSpec {
     MediumKind kind = MediumKind::kGas;
@@ -110,8 +110,9 @@ struct MediumSpec {
     double temperature_K = 8000.0;  // of gas at its inner radius; else of the black body of light 1
     double opacity = 1.0;           // kBlackBody: optical depth for each r_s where the density is 1
     FieldDirection field_direction = FieldDirection::kIsotropic;  // kSynchrotron
-    bool polarisation = false;  // of kSynchrotron in a field of one direction: I, Q, U, V are transferred ...
-    bool faraday = true;        // ... with Faraday's rotation and conversion
+    Vec3 field_vector{0, 0, 1};  // kVector: radial, azimuthal and north component, of any length above 0
+    bool polarisation = false;   // of kSynchrotron in a field of one direction: I, Q, U, V are transferred ...
+    bool faraday = true;         // ... with Faraday's rotation and conversion
 
     // Linear light; 1 is a brightness temperature of kMediumLight_K where by_frequency(), else a black body of temperature_K.
     Vec3 colour{1, 1, 1};
@@ -124,6 +125,21 @@ struct MediumSpec {
     friend bool operator==(const MediumSpec&, const MediumSpec&) = default;
 };
 inline constexpr double kMediumLight_K = 1e9;
+// Along e_r, e_theta, e_phi, unit; 0 of kIsotropic and kFile.
+inline Vec3 field_way_of(const MediumSpec& medium) {
+    switch (medium.field_direction) {
+        case FieldDirection::kOutward: return {1, 0, 0};
+        case FieldDirection::kSouth: return {0, 1, 0};
+        case FieldDirection::kEast: return {0, 0, 1};
+        case FieldDirection::kVector: {
+            const Vec3 v = normalized(medium.field_vector);
+            return {v.x, -v.z, v.y};
+        }
+        case FieldDirection::kIsotropic:
+        case FieldDirection::kFile: break;
+    }
+    return {0, 0, 0};
+}
 inline bool can_be_polarised(const MediumSpec& medium) {
     return medium.law() == MediumEmission::kSynchrotron && medium.field_direction != FieldDirection::kIsotropic;
 }

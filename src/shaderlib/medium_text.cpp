@@ -30,13 +30,12 @@ std::string function_text(const char* name, const std::string& formula) {
 }
 
 std::string field_direction_text(const MediumSpec& medium) {
-    constexpr const char* kDirections[] = {"vec3(0.0)", "vec3(1.0, 0.0, 0.0)", "vec3(0.0, 1.0, 0.0)",
-                                           "vec3(0.0, 0.0, 1.0)"};
     std::string text = fmt::format("#define COLDEST_K {:.1f}\n", kColdest_K);
     if (medium.field_direction != FieldDirection::kIsotropic) text += "#define FIELD_DIRECTED\n";
     if (is_polarised(medium) && medium.faraday) text += "#define MEDIUM_FARADAY\n";
     if (medium.field_direction == FieldDirection::kFile) return text;
-    return text + fmt::format("#define FIELD_DIRECTION {}\n", kDirections[static_cast<int>(medium.field_direction)]);
+    const Vec3 way = field_way_of(medium);
+    return text + fmt::format("#define FIELD_DIRECTION vec3({:.9f}, {:.9f}, {:.9f})\n", way.x, way.y, way.z);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ THINGS = {
     "disc-flow": {"disc": {**DISC, "texture": "formula", "formula": "0.5 + 0.5*x/length(x, y)", "flow": "kepler", "flow_life": 10}},
     "disc-thermal": {"disc": THERMAL},
     "disc-limb": {"disc": {**THERMAL, "limb_darkening": "on"}},
-    "disc-polarised": {"disc": {**THERMAL, "polarisation": "synchrotron", "field": "toroidal"}, "picture": {"polariser": 40.0}},
+    "disc-polarised": {"disc": {**THERMAL, "polarisation": "synchrotron", "field": "toroidal"}},
     "disc-gas": {"disc": {**DISC, "texture": "gas", "gas_contrast": 0.3}},
     "disc-gas-flow": {"disc": {**DISC, "texture": "gas", "gas_contrast": 0.3, "flow": "kepler", "opacity": 0.6}},
     "disc-clear": {"disc": {**DISC, "opacity": 0.4, "edge": 0.3}},
