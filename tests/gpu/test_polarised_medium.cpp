@@ -103,6 +103,28 @@ TEST_CASE("polarised matter: I, Q, U and V are the reference's") {
     });
 }
 
+TEST_CASE("polarised matter: of a file, with the field that it has" * test::costly()) {
+    on_one_context([&](GpuSession& session) {
+        Scene scene = polarised_matter({"kerr", {{"spin", 0.9}}}, FieldDirection::kFile, false);
+        MediumSpec& medium = *scene.medium;
+        medium.kind = MediumKind::kGrid, medium.grid.file = assets_directory() / "medium" / "torus.grid";
+        medium.outer = 12, medium.steps = 64, scene.object.mass_suns = 6.2e9;
+        CameraSpec& camera = scene.camera;
+        camera.width = 40, camera.height = 24, camera.r = 500, camera.theta = 0.96;
+        camera.plane_width = 18.0 / camera.r, camera.focal_distance = 1;
+        WorstStokes worst;
+        compare_stokes(session, scene, worst);
+        fmt::print("torus of a file: I {:.2g} Q {:.2g} U {:.2g} V {:.2g} of the brightest; sums {:.6g} {:.6g} {:.6g} "
+                   "{:.6g}, exact {:.6g} {:.6g} {:.6g} {:.6g}\n",
+                   worst.error[0], worst.error[1], worst.error[2], worst.error[3], worst.sum[0], worst.sum[1],
+                   worst.sum[2], worst.sum[3], worst.exact[0], worst.exact[1], worst.exact[2], worst.exact[3]);
+        for (std::size_t c = 0; c < 4; ++c) {
+            CHECK(worst.error[c] < kStokesError);
+            CHECK(std::abs(worst.sum[c] - worst.exact[c]) < kStokesFlux * worst.exact[0]);
+        }
+    });
+}
+
 // Where neither absorption nor conversion acts on what is polarised.
 TEST_CASE("polarised matter: the intensity of thin matter is what it is without polarisation") {
     constexpr double kIntensity = 1e-5;  // of the brightest pixel
