@@ -14,14 +14,15 @@
 #include "command/arguments.h"
 #include "command/capture_picture.h"
 #include "command/curve_plot.h"
+#include "command/loop_plot.h"
 #include "command/session.h"
+#include "compare/stokes_loop.h"
 #include "plan/dump_window.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
 #include "scene/medium_dumps.h"
 #include "scene/projection.h"
-#include "spacetime/circular_orbit.h"
-#include "spacetime/registry.h"
+#include "scene/spot_orbit.h"
 
 namespace nullscope::cli {
 namespace {
@@ -37,9 +38,9 @@ struct LightcurveOptions {
 
 struct CurvePoint {
     double time;
-    std::array<double, 4> flux;      // luminance, red, green, blue, over the solid angle: 1 is a steradian of white
-    double jansky = 0.0;             // where the scene has a FluxUnit
-    std::array<double, 2> stokes{};  // Q and U in the unit of flux[0], where light is polarised
+    std::array<double, 4> flux;  // luminance, red, green, blue, over the solid angle: 1 is a steradian of white
+    double jansky = 0.0;         // where the scene has a FluxUnit
+    StokesPoint stokes{};        // in the unit of flux[0], where light is polarised
 };
 
 bool dimmer(const CurvePoint& a, const CurvePoint& b) { return a.flux[0] < b.flux[0]; }
@@ -58,23 +59,10 @@ std::array<double, 4> light_of(const Image<float>& picture, const CameraSpec& ca
     return sum;
 }
 
-// The same of Q and U.
-std::array<double, 2> stokes_of(const Image<float>& stokes, const CameraSpec& camera,
-                                const std::array<int, 4>& region) {
-    std::array<double, 2> sum{};
-    for (int y = region[1]; y < region[3]; ++y)
-        for (int x = region[0]; x < region[2]; ++x)
-            for (std::size_t c = 0; c < 2; ++c)
-                sum[c] += pixel_solid_angle(camera, x + 0.5, y + 0.5) * stokes.at(x, y)[c + 1];
-    return sum;
-}
-
 // To the last dump, one turn of the spots, one pulse of the sphere, or 100 r_s/c.
 double period_of(const Scene& scene, double from) {
     if (has_dumps(scene)) return medium_times(scene).to - from;
-    const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    if (!scene.spots.empty() && spacetime)
-        if (const auto orbit = circular_orbit(**spacetime, scene.spots.front().r)) return 2 * M_PI / orbit->omega;
+    if (const auto orbit = spot_period(scene)) return *orbit;
     const SphereSpec* sphere = first_shape<SphereSpec>(scene);
     return sphere != nullptr && sphere->amplitude > 0 ? sphere->period : 100.0;
 }
@@ -93,19 +81,32 @@ std::string csv_of(const std::vector<CurvePoint>& curve, bool jansky, bool polar
     for (const CurvePoint& s : curve) {
         text += fmt::format("{:.17g},{:.9g},{:.9g},{:.9g},{:.9g}", s.time, s.flux[0], s.flux[1], s.flux[2], s.flux[3]);
         if (jansky) text += fmt::format(",{:.9g}", s.jansky);
-        if (polarised) text += fmt::format(",{:.9g},{:.9g}", s.stokes[0], s.stokes[1]);
+        if (polarised) text += fmt::format(",{:.9g},{:.9g}", s.stokes.q, s.stokes.u);
         text += '\n';
     }
     return text;
 }
 
-// The vertical axis in Jy, where there is a unit.
-std::string svg_of(const Scene& scene, const std::vector<CurvePoint>& curve, const std::optional<FluxUnit>& unit) {
+// The vertical axis in Jy, where there is a unit. Beside it Q and U, where there are these.
+std::string svg_of(const Scene& scene, const std::vector<CurvePoint>& curve, const std::optional<FluxUnit>& unit,
+                   const StokesLoop& loop) {
     std::vector<std::array<double, 2>> points;
     points.reserve(curve.size());
     for (const CurvePoint& s : curve) points.push_back({s.time, unit ? s.jansky : s.flux[0]});
     const std::string title = unit ? fmt::format("{}: Jy at {} GHz", scene.name, unit->frequency_GHz) : scene.name;
-    return curve_plot(title, "time, r_s/c", points);
+    if (loop.empty()) return curve_plot(title, "time, r_s/c", points);
+    return svg_document(
+        kCurveWidth + kLoopWidth, kCurveHeight,
+        std::string(kSvgWhite) + curve_drawing(title, "time, r_s/c", points) +
+            fmt::format("<g transform=\"translate({} 0)\">\n{}</g>\n", kCurveWidth, loop_plot(loop_shape(loop), 0)));
+}
+
+// What the loop does, for people.
+std::string words_of(const StokesLoop& loop) {
+    if (!is_closed(loop)) return "Q and U end elsewhere than they begin";
+    const int turns = loop_turns(loop);
+    return fmt::format("Q and U go round a closed loop whose direction turns {} times {}", std::abs(turns),
+                       turns < 0 ? "clockwise" : "counterclockwise");
 }
 
 // The scene at options.steps times, the last included.
@@ -144,7 +145,7 @@ Result<Curve> curve_of(const LightcurveOptions& options, Scene scene, double fro
         curve.samples.push_back(
             {scene.time, light_of(*picture, scene.camera, region), unit ? flux_of(*picture, *unit, region) : 0.0, {}});
         if (session && is_polarised(scene))
-            curve.samples.back().stokes = stokes_of(draw_stokes(*session->renderer), scene.camera, region);
+            curve.samples.back().stokes = stokes_sum(draw_stokes(*session->renderer), scene.camera, region, scene.time);
     }
     return curve;
 }
@@ -180,8 +181,11 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
     TRY(curve, curve_of(options, *scene, from, to, *region, unit));
     std::vector<double> times;
     for (const CurvePoint& point : curve->samples) times.push_back(point.time);
+    StokesLoop loop;
+    for (const CurvePoint& point : curve->samples)
+        if (polarised) loop.push_back(point.stokes);
     TRY(written, write_table(options.output + ".csv", csv_of(curve->samples, unit.has_value(), polarised),
-                             options.output + ".svg", svg_of(*scene, curve->samples, unit),
+                             options.output + ".svg", svg_of(*scene, curve->samples, unit, loop),
                              {*scene, options.scene, options.given.words(), curve->drawn_by,
                               column_words(unit, polarised), times}));
     const auto peak = std::ranges::max_element(curve->samples, dimmer);
@@ -189,6 +193,7 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
                                   : fmt::format("{:.4g}", peak->flux[0]);
     fmt::print("{0}.csv, {0}.svg: {1} times from {2:g} to {3:g} r_s/c; brightest at {4:g}, {5}\n", options.output,
                options.steps, from, to, peak->time, most);
+    if (polarised) fmt::print("{}\n", words_of(loop));
     return 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,12 @@
 
 namespace nullscope::cli {
 
-// points: two or more, by ascending x; the vertical axis includes 0. title: as it stands in a scene file, no markup.
-inline std::string curve_plot(const std::string& title, const std::string& x_words,
-                              const std::vector<std::array<double, 2>>& points) {
-    constexpr double kWidth = 760, kHeight = 340, kLeft = 84, kBottom = 52, kTop = 40, kRight = 20;
+inline constexpr double kCurveWidth = 760, kCurveHeight = 340;  // px
+
+// points: two or more, by ascending x; the vertical axis includes 0. title: as it stands in a scene file, no markup. What lies in a document of this size.
+inline std::string curve_drawing(const std::string& title, const std::string& x_words,
+                                 const std::vector<std::array<double, 2>>& points) {
+    constexpr double kWidth = kCurveWidth, kHeight = kCurveHeight, kLeft = 84, kBottom = 52, kTop = 40, kRight = 20;
     const std::string plain = in_xml(title);
     const auto by_value = [](const auto& a, const auto& b) { return a[1] < b[1]; };
     const auto [least, most] = std::ranges::minmax_element(points, by_value);
@@ -24,12 +27,14 @@ inline std::string curve_plot(const std::string& title, const std::string& x_wor
     const auto y_of = [&](double y) {
         return kHeight - kBottom - (y - low) / (high - low) * (kHeight - kBottom - kTop);
     };
-    std::string svg(kSvgWhite);
-    svg += svg_text(kLeft, 24, plain, 15);
+    // Of times that begin late: as many digits as tell them apart.
+    const double most_x = std::max({std::fabs(first), std::fabs(first + span), span});
+    const int digits = 4 + std::max(static_cast<int>(std::floor(std::log10(most_x / span))), 0);
+    std::string svg = svg_text(kLeft, 24, plain, 15);
     for (int i = 0; i <= 4; ++i) {
         const double x = first + i * span / 4, y = low + i * (high - low) / 4;
         svg += svg_line(x_of(x), y_of(low), x_of(x), y_of(high));
-        svg += svg_text(x_of(x), kHeight - kBottom + 20, fmt::format("{:.4g}", x), 13, "middle");
+        svg += svg_text(x_of(x), kHeight - kBottom + 20, fmt::format("{:.{}g}", x, digits), 13, "middle");
         svg += svg_line(kLeft, y_of(y), kWidth - kRight, y_of(y));
         svg += svg_text(kLeft - 8, y_of(y) + 4, fmt::format("{:.3g}", y), 13, "end");
     }
@@ -38,7 +43,12 @@ inline std::string curve_plot(const std::string& title, const std::string& x_wor
     for (const auto& [x, y] : points) places.push_back({x_of(x), y_of(y)});
     svg += svg_curve("polyline", places, 1.8, "#c2410c");
     svg += svg_text(0.5 * (kLeft + kWidth - kRight), kHeight - 10, x_words, 13, "middle");
-    return svg_document(kWidth, kHeight, svg);
+    return svg;
+}
+
+inline std::string curve_plot(const std::string& title, const std::string& x_words,
+                              const std::vector<std::array<double, 2>>& points) {
+    return svg_document(kCurveWidth, kCurveHeight, std::string(kSvgWhite) + curve_drawing(title, x_words, points));
 }
 
 }  // namespace nullscope::cli

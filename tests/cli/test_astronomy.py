@@ -283,13 +283,26 @@ size = 0.3
     def test_a_spot_seen_face_on_goes_round_the_loop_of_q_and_u_twice(self):
         # The electric vector is along the radius, whose azimuth grows as seen from above and falls as seen from below.
         for theta, turns in ((0, 2), (180, -2)):
-            self.run_nullscope("lightcurve", self.write("spot.toml", self.SPOT % theta), "--steps", "17", "-o", "spot")
+            said = self.run_nullscope("lightcurve", self.write("spot.toml", self.SPOT % theta), "--steps", "17", "-o", "spot").out
+            self.assertIn(f"turns 2 times {'counterclockwise' if turns > 0 else 'clockwise'}\n", said)
             curve = table(self.folder / "spot.csv")
             linear = [complex(row["stokes_q"], row["stokes_u"]) / row["flux"] for row in curve]
             for value in linear:
                 self.assertAlmostEqual(abs(value), 0.375, delta=2e-2)   # 0.5 (alpha + 1)/(alpha + 5/3), less what the spot's size takes
             turned = sum(cmath.phase(after / before) for before, after in zip(linear, linear[1:]))
             self.assertAlmostEqual(turned / (2 * math.pi), turns, delta=2e-2)
+            # Its axes are equal, and it is closed.
+            svg = (self.folder / "spot.svg").read_text(encoding="utf-8")
+            self.assertIn("Q and U, % of the mean I", svg)
+            loop = re.findall("<polyline[^>]* points=\"([^\"]*)\"", svg)[1].split()
+            xs, ys = ([float(point.split(",")[i]) for point in loop] for i in (0, 1))
+            self.assertEqual(len(loop), 17)
+            self.assertLess(math.hypot(xs[0] - xs[-1], ys[0] - ys[-1]), 4)
+            self.assertAlmostEqual((max(xs) - min(xs)) / (max(ys) - min(ys)), 1, delta=3e-2)
+
+    def test_half_an_orbit_is_no_closed_loop(self):
+        said = self.run_nullscope("lightcurve", self.write("spot.toml", self.SPOT % 40), "--steps", "9", "--to", "30", "--size", "32x32", "-o", "half").out
+        self.assertIn("Q and U end elsewhere than they begin\n", said)
 
 
 class Ticks(support.CliTest):
