@@ -23,6 +23,7 @@
 #include "observer/path.h"
 #include "observer/picture_scale.h"
 #include "reference/reference.h"
+#include "render/picture_layers.h"
 #include "scenefile/scene_keys.h"
 #include "sky/point_stars.h"
 #include "spacetime/registry.h"
@@ -52,6 +53,7 @@ struct Point {
     double px;                     // from Line::through
     std::optional<double> impact;  // r_s
     std::array<double, 3> light;
+    std::array<double, 4> stokes{};  // where light is polarised
     double luminance() const { return 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2]; }  // Rec. 709
 };
 
@@ -80,15 +82,16 @@ Result<ProfileLine> profile_line(const ProfileOptions& options, const CameraSpec
     return line;
 }
 
-// Linear between the centres of pixels; in the outer half of an outer pixel as in its centre.
-std::array<double, 3> light_at(const Image<float>& picture, std::array<double, 2> place) {
+// Linear between the centres of pixels; in the outer half of an outer pixel as in its centre. Of the first channels.
+template <std::size_t kChannels>
+std::array<double, kChannels> light_at(const Image<float>& picture, std::array<double, 2> place) {
     const double x = std::clamp(place[0] - 0.5, 0.0, picture.width - 1.0),
                  y = std::clamp(place[1] - 0.5, 0.0, picture.height - 1.0);
     const int left = static_cast<int>(x), top = static_cast<int>(y);
     const int right = std::min(left + 1, picture.width - 1), below = std::min(top + 1, picture.height - 1);
     const double u = x - left, v = y - top;
-    std::array<double, 3> light{};
-    for (int c = 0; c < 3; ++c)
+    std::array<double, kChannels> light{};
+    for (int c = 0; c < static_cast<int>(kChannels); ++c)
         light[static_cast<std::size_t>(c)] =
             (1 - v) * ((1 - u) * picture.at(left, top)[c] + u * picture.at(right, top)[c]) +
             v * ((1 - u) * picture.at(left, below)[c] + u * picture.at(right, below)[c]);
@@ -98,6 +101,7 @@ std::array<double, 3> light_at(const Image<float>& picture, std::array<double, 2
 // A picture, or of one the part from `corner` on.
 struct Drawn {
     Image<float> picture;
+    Image<float> stokes{};  // empty where light is not polarised, and of the reference
     std::array<double, 2> corner{};
     std::string by = "reference tracer";
 };
@@ -107,7 +111,10 @@ Result<Drawn> drawn_gl(const ProfileOptions& options, Scene scene) {
     TRY(session, open_session(options.context));
     TRY(ready, session->renderer->prepare(scene));
     for (const std::string& note : session->renderer->take_notes()) fmt::print(stderr, "{}\n", note);
-    return Drawn{session->renderer->picture(), {}, session->renderer->info().renderer};
+    Drawn drawn{session->renderer->picture()};
+    if (is_polarised(scene)) drawn.stokes = draw_stokes(*session->renderer);
+    drawn.by = session->renderer->info().renderer;
+    return drawn;
 }
 
 // Only what the line passes.
@@ -129,7 +136,7 @@ Result<Drawn> drawn_by_reference(const ProfileOptions& options, Scene scene, con
     TRY(picture, reference::render_frame(
                      scene, (*inputs)->sky, (*inputs)->pictures(scene), options.samples.value_or(kSamples),
                      [&](long long n) { progress.advance(n); }, (*inputs)->far(), *stars));
-    return Drawn{std::move(*picture), {static_cast<double>(first[0]), static_cast<double>(first[1])}};
+    return Drawn{std::move(*picture), {}, {static_cast<double>(first[0]), static_cast<double>(first[1])}};
 }
 
 // The component along the line of a ray's impact parameter, right and up in the picture; nothing where it has no scale.
@@ -156,8 +163,9 @@ std::vector<Point> points_of(const Scene& scene, const ProfileLine& line, const 
     for (int i = 0; i < count; ++i) {
         const double px = line.from + (i + 0.5) * (line.to - line.from) / count;
         const auto place = line.at(px);
-        points.push_back({place, px, impact(place),
-                          light_at(drawn.picture, {place[0] - drawn.corner[0], place[1] - drawn.corner[1]})});
+        const std::array<double, 2> drawn_at = {place[0] - drawn.corner[0], place[1] - drawn.corner[1]};
+        points.push_back({place, px, impact(place), light_at<3>(drawn.picture, drawn_at)});
+        if (!drawn.stokes.empty()) points.back().stokes = light_at<4>(drawn.stokes, drawn_at);
     }
     return points;
 }
@@ -177,15 +185,19 @@ std::vector<Unit> units_of(const Scene& scene, const std::vector<Point>& points)
 constexpr const char* kLineColumns =
     "linear light along a line. x, y: place in the picture, px from its upper left corner; px: from the place that the "
     "line goes through; M, uas: impact parameter along the line, M = GM/c^2";
+constexpr const char* kStokesColumns =
+    "; stokes_q, stokes_u: of the luminance, angles from the picture's right towards up";
 
-std::string profile_csv(const std::vector<Point>& points, const std::vector<Unit>& units) {
+std::string profile_csv(const std::vector<Point>& points, const std::vector<Unit>& units, bool polarised) {
     std::string text = "x,y,px,";
     for (const Unit& unit : units) text += fmt::format("{},", unit.column);
-    text += "luminance,red,green,blue\n";
+    text += polarised ? "luminance,red,green,blue,stokes_q,stokes_u\n" : "luminance,red,green,blue\n";
     for (const Point& p : points) {
         text += fmt::format("{:.10g},{:.10g},{:.10g},", p.place[0], p.place[1], p.px);
         for (const Unit& unit : units) text += fmt::format("{:.10g},", *p.impact / unit.length);
-        text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", p.luminance(), p.light[0], p.light[1], p.light[2]);
+        text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}", p.luminance(), p.light[0], p.light[1], p.light[2]);
+        if (polarised) text += fmt::format(",{:.9g},{:.9g}", p.stokes[1], p.stokes[2]);
+        text += '\n';
     }
     return text;
 }
@@ -224,9 +236,11 @@ Result<int> run_profile(const ProfileOptions& options) {
     TRY(drawn, options.renderer == "gl" ? drawn_gl(options, *scene) : drawn_by_reference(options, *scene, *line));
     const auto points = points_of(*scene, *line, *drawn, options.steps);
     const auto units = units_of(*scene, points);
-    TRY(written, write_table(options.output + ".csv", profile_csv(points, units), options.output + ".svg",
+    const bool polarised = !drawn->stokes.empty();
+    TRY(written, write_table(options.output + ".csv", profile_csv(points, units, polarised), options.output + ".svg",
                              profile_svg(*scene, points, units),
-                             {*scene, options.scene, options.given.words(), drawn->by, kLineColumns}));
+                             {*scene, options.scene, options.given.words(), drawn->by,
+                              std::string(kLineColumns) + (polarised ? kStokesColumns : "")}));
     const auto peak = std::ranges::max_element(points, {}, &Point::luminance);
     fmt::print("{0}.csv, {0}.svg: {1} points along {2:.4g} px; brightest at {3:.4g} px", options.output, points.size(),
                line->to - line->from, peak->px);

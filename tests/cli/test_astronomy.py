@@ -227,6 +227,21 @@ class Profiles(support.CliTest):
         for row, green in zip(rows, [line[20] for line in reversed(exr["G"])]):
             self.assertAlmostEqual(row["green"], green, delta=1e-6 * (1 + green))
 
+    def test_q_and_u_are_those_of_the_picture_s_layers(self):
+        size = ("--size", "64x36")
+        self.run_nullscope("capture", "m87-swirl", *size, "-o", "a.exr")
+        exr = support.read_exr((self.folder / "a.exr").read_bytes())
+        self.run_nullscope("profile", "m87-swirl", *size, "--through", "3.5,10.5", "-o", "row")
+        rows = table(self.folder / "row.csv")
+        self.assertEqual(list(rows[0])[-2:], ["stokes_q", "stokes_u"])
+        for x, row in enumerate(rows):
+            self.assertAlmostEqual(row["stokes_q"], exr["stokes.Q"][10][x], delta=1e-6)
+            self.assertAlmostEqual(row["stokes_u"], exr["stokes.U"][10][x], delta=1e-6)
+        self.assertGreater(max(math.hypot(row["stokes_q"], row["stokes_u"]) for row in rows), 1e-3)
+        # The reference's pictures are of light alone.
+        self.run_nullscope("profile", "m87-swirl", "--size", "16x9", "--renderer", "reference", "--samples", "1", "-o", "exact")
+        self.assertNotIn("stokes_q", table(self.folder / "exact.csv")[0])
+
     def test_between_four_pixels_is_their_mean(self):
         size = ("--size", "16x9")
         scene = self.write("slope.toml", '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "formula"\nformula = "0.5 + 0.4 * y + 0.3 * z * z"\n')
