@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@
 #include "spacetime/registry.h"
 #include "spectrum/line_profile.h"
 #include "table/disc_light.h"
+#include "table/distant_polarisation.h"
 
 namespace nullscope::cli {
 namespace {
@@ -44,6 +46,8 @@ struct Source {
     double inclination = 0, inner = 0, outer = 0, isco = 0;
     std::optional<double> power{};  // q; nothing: thermal
     Scene scene{};
+    bool from_below() const { return inclination_deg > 90.0; }
+    double inclination_deg = 0;  // as it was asked for, of either face
 };
 
 // A number in [least, most], or nothing.
@@ -108,6 +112,7 @@ Result<Source> source_of(const SpectrumOptions& options) {
     Source source{name_of(scene), *spacetime};
     const double theta_deg = options.scene.empty() ? kInclination_deg : scene.camera.theta / kOneDegree,
                  from_axis_deg = options.inclination_deg.value_or(theta_deg);
+    source.inclination_deg = from_axis_deg;
     source.inclination = std::min(from_axis_deg, 180.0 - from_axis_deg) * kOneDegree;  // from below it is the same
     if (options.emissivity != "thermal") {
         source.power = number_in(options.emissivity, -kSteepest, kSteepest);
@@ -132,6 +137,19 @@ DiscLine line_profile_of(const Source& source, const SpectrumOptions& options) {
         for (const double r : radii) values.push_back(std::pow(r, -*source.power));
         return values;
     };
+    if (!is_polarised(source.scene)) return line;
+    const PolarisationSpec& spec = source.scene.disc->polarisation;
+    Vec3 field = field_of(spec);
+    if (source.from_below())
+        field.z = -field.z;  // in the mirror of the disc's plane, whose vectors of fields are turned
+    const auto seen = std::make_shared<const DistantPolarisation>(source.spacetime, source.inclination, field,
+                                                                  polarised_fraction(spec));
+    line.polarisation = [seen, up = source.from_below() ? -1.0 : 1.0](double r) -> LinePolarisation {
+        return [of_ring = seen->ring(r), up](const LinePhoton& p) {
+            const std::complex<double> linear = of_ring({p.alpha, p.beta, p.lambda, p.eta, p.slope});
+            return std::complex(linear.real(), up * linear.imag());
+        };
+    };
     return line;
 }
 
@@ -144,22 +162,38 @@ std::string bin_words(const Source& source, const SpectrumOptions& options) {
 }
 
 std::string spectrum_columns(const Source& source, const SpectrumOptions& options, const ConvergedProfile& found) {
+    const std::string linear = found.profile.linear.empty()
+                                   ? ""
+                                   : "; stokes_q, stokes_u: of photons, angles from the picture's right towards up, "
+                                     "where the axis is; fraction, angle_deg: "
+                                     "linear polarisation in the bin";
     return fmt::format(
         "Line profile. {}\n{}; r_s = 2 GM/c^2\n"
         "g = observed over emitted frequency, from {:.9g} to {:.9g}; photons, energy: share of the line's photon "
-        "flux (g^3) and energy flux (g^4) in the bin\n"
+        "flux (g^3) and energy flux (g^4) in the bin{}\n"
         "half of the resolution changes no bin by more than {:.2g} of the largest",
-        source.name, bin_words(source, options), found.profile.least_g, found.profile.most_g, found.change);
+        source.name, bin_words(source, options), found.profile.least_g, found.profile.most_g, linear, found.change);
+}
+
+// Of a bin: Q, U, the fraction, and the angle, (-90, 90]; the last two empty where there is no light.
+std::string linear_cells(const LineProfile& p, std::size_t bin) {
+    const std::complex<double> linear = p.linear[bin];
+    std::string cells = fmt::format(",{:.9g},{:.9g}", linear.real() / p.all_photons, linear.imag() / p.all_photons);
+    if (!(p.photons[bin] > 0.0)) return cells + ",,";
+    return cells +
+           fmt::format(",{:.9g},{:.9g}", std::abs(linear) / p.photons[bin], 0.5 * std::arg(linear) / kOneDegree);
 }
 
 std::string spectrum_csv(const SpectrumOptions& options, const ConvergedProfile& found) {
     const LineProfile& p = found.profile;
-    std::string text = fmt::format("g_from,g_to,g,{}photons,energy\n", options.line_kev ? "energy_kev," : "");
+    std::string text = fmt::format("g_from,g_to,g,{}photons,energy{}\n", options.line_kev ? "energy_kev," : "",
+                                   p.linear.empty() ? "" : ",stokes_q,stokes_u,fraction,angle_deg");
     for (std::size_t i = 0; i < p.photons.size(); ++i) {
         const double low = p.edge(i), high = p.edge(i + 1), middle = 0.5 * (low + high);
         text += fmt::format("{:.9g},{:.9g},{:.9g},", low, high, middle);
         if (options.line_kev) text += fmt::format("{:.9g},", middle * *options.line_kev);
-        text += fmt::format("{:.9g},{:.9g}\n", p.share(i), p.energy[i] / p.all_energy);
+        text += fmt::format("{:.9g},{:.9g}", p.share(i), p.energy[i] / p.all_energy);
+        text += (p.linear.empty() ? "" : linear_cells(p, i)) + "\n";
     }
     return text;
 }
@@ -178,6 +212,11 @@ void print(const Source& source, const SpectrumOptions& options, const Converged
     fmt::print("{}\n{}\n", source.name, bin_words(source, options));
     fmt::print("g from {:.8f} to {:.8f}, mean {:.6f}; brightest bin at {:.6f}\n", p.least_g, p.most_g,
                p.all_energy / p.all_photons, 0.5 * (p.edge(peak) + p.edge(peak + 1)));
+    if (!p.linear.empty())
+        fmt::print(
+            "polarised {:.4g} % of all photons, electric vector at {:.2f} degrees from the picture's right towards "
+            "up\n",
+            100.0 * std::abs(p.all_linear) / p.all_photons, 0.5 * std::arg(p.all_linear) / kOneDegree);
     fmt::print("{0}.csv, {0}.svg: {1} bins of g from {2:g} to {3:g}", options.output, options.bins, p.from, p.to);
     if (options.line_kev) fmt::print(", {:g} to {:g} keV", p.from * *options.line_kev, p.to * *options.line_kev);
     fmt::print("\nhalf of the resolution changes no bin by more than {:.2g} % of the largest\n", 100.0 * found.change);

@@ -23,18 +23,28 @@ double limb_of(Limb limb, double mu) {
     return 1.0;
 }
 
-// Of one ring, at each column: g, and photons per dr d(chi).
+// Of one ring, at each column: g, photons per dr d(chi), and Q and U of these, where there are any.
 struct Ring {
-    std::vector<double> g, photons;
+    std::vector<double> g, photons, q, u;
+};
+
+// Photons and their Q and U.
+struct Share {
+    double photons;
+    std::complex<double> linear;
 };
 
 class Bins {
 public:
-    Bins(double from, double to, int count)
-        : from_(from), width_((to - from) / count), photons_(static_cast<std::size_t>(count), 0.0), energy_(photons_) {}
+    Bins(double from, double to, int count, bool polarised)
+        : from_(from),
+          width_((to - from) / count),
+          photons_(static_cast<std::size_t>(count), 0.0),
+          energy_(photons_),
+          linear_(polarised ? photons_.size() : 0) {}
     // Light that is distributed about the middle as the sum of two uniform numbers from ranges of these widths, wide >= narrow.
-    void add(double middle, double wide, double narrow, double photons) {
-        const double reach = 0.5 * (wide + narrow), flat = 0.5 * (wide - narrow), energy = middle * photons;
+    void add(double middle, double wide, double narrow, const Share& share) {
+        const double reach = 0.5 * (wide + narrow), flat = 0.5 * (wide - narrow), energy = middle * share.photons;
         const auto below = [&](double g) {  // the part that is
             const double off = g - middle, side = reach - std::fabs(off);
             if (side <= 0.0) return off > 0.0 ? 1.0 : 0.0;
@@ -50,15 +60,20 @@ public:
         double before = below(from_ + first_bin * width_);
         for (std::size_t bin = static_cast<std::size_t>(first_bin); bin <= static_cast<std::size_t>(last_bin); ++bin) {
             const double next = below(from_ + static_cast<double>(bin + 1) * width_);
-            photons_[bin] += (next - before) * photons, energy_[bin] += (next - before) * energy;
+            photons_[bin] += (next - before) * share.photons, energy_[bin] += (next - before) * energy;
+            if (!linear_.empty()) linear_[bin] += (next - before) * share.linear;
             before = next;
         }
     }
-    void move_to(LineProfile& profile) { profile.photons = std::move(photons_), profile.energy = std::move(energy_); }
+    void move_to(LineProfile& profile) {
+        profile.photons = std::move(photons_), profile.energy = std::move(energy_);
+        profile.linear = std::move(linear_);
+    }
 
 private:
     double from_, width_;
     std::vector<double> photons_, energy_;
+    std::vector<std::complex<double>> linear_;
 };
 
 class Rings {
@@ -70,6 +85,7 @@ public:
     Ring at(const DiscImage& image, double r, double emissivity) const {
         const MatterVelocity u = matter(r);
         const double across2 = light_.spacetime().equator(r)->across2;  // Delta
+        const LinePolarisation polarised = line_.polarisation ? line_.polarisation(r) : LinePolarisation();
         Ring ring;
         for (const DiscImage::Point& p : image.ring(r)) {
             const auto [lambda, eta] = light_.constants(p.alpha, p.beta);
@@ -77,6 +93,9 @@ public:
             const double limb =
                 line_.limb == Limb::kIsotropic ? 1.0 : limb_of(line_.limb, g * std::sqrt(std::max(eta, 0.0)) / r);
             ring.g.push_back(g), ring.photons.push_back(g * g * g * emissivity * limb * p.area);
+            if (!polarised) continue;
+            const auto linear = ring.photons.back() * polarised({p.alpha, p.beta, lambda, eta, p.slope});
+            ring.q.push_back(linear.real()), ring.u.push_back(linear.imag());
         }
         return ring;
     }
@@ -126,6 +145,10 @@ LineProfile empty_profile(const LineBins& bins, const std::vector<Piece>& pieces
     return profile;
 }
 
+void count(LineProfile& profile, double g, const Share& share) {
+    profile.all_photons += share.photons, profile.all_energy += g * share.photons, profile.all_linear += share.linear;
+}
+
 // Of a ring: between neighbouring columns.
 void add_ring(Bins& bins, LineProfile& profile, const Ring& ring) {
     const std::size_t n = ring.g.size();
@@ -134,8 +157,11 @@ void add_ring(Bins& bins, LineProfile& profile, const Ring& ring) {
         const std::size_t next = (j + 1) % n;
         const double photons = 0.5 * step * (ring.photons[j] + ring.photons[next]),
                      middle = 0.5 * (ring.g[j] + ring.g[next]);
-        bins.add(middle, std::fabs(ring.g[next] - ring.g[j]), 0.0, photons);
-        profile.all_photons += photons, profile.all_energy += middle * photons;
+        Share share{photons, {}};
+        if (!ring.q.empty())
+            share.linear = 0.5 * step * std::complex(ring.q[j] + ring.q[next], ring.u[j] + ring.u[next]);
+        bins.add(middle, std::fabs(ring.g[next] - ring.g[j]), 0.0, share);
+        count(profile, middle, share);
     }
 }
 
@@ -155,27 +181,46 @@ std::vector<double> flattened(const std::vector<Ring>& rings, std::vector<double
     return flat;
 }
 
+// The means of light, Q and U, and the sum of those at two columns.
+class FlatLight {
+public:
+    FlatLight(const std::vector<Ring>& rings, std::size_t i) : photons_(flattened(rings, &Ring::photons, i)) {
+        if (rings[i].q.empty()) return;
+        q_ = flattened(rings, &Ring::q, i), u_ = flattened(rings, &Ring::u, i);
+    }
+    double photons(std::size_t j) const { return photons_[j]; }
+    std::complex<double> linear(std::size_t j, std::size_t k) const {
+        return q_.empty() ? std::complex<double>() : std::complex(q_[j] + q_[k], u_[j] + u_[k]);
+    }
+
+private:
+    std::vector<double> photons_, q_, u_;
+};
+
 void add_piece(Bins& bins, LineProfile& profile, const Piece& piece) {
     const std::vector<Ring>& rings = piece.rings;
     const std::size_t n = rings[0].g.size();
     const double cell = piece.step * 2.0 * M_PI / static_cast<double>(n);
-    std::vector<double> g0 = flattened(rings, &Ring::g, 0), light0 = flattened(rings, &Ring::photons, 0);
+    std::vector<double> g0 = flattened(rings, &Ring::g, 0);
+    FlatLight light0(rings, 0);
     for (std::size_t i = 1; i < rings.size(); ++i) {
-        std::vector<double> g1 = flattened(rings, &Ring::g, i), light1 = flattened(rings, &Ring::photons, i);
+        std::vector<double> g1 = flattened(rings, &Ring::g, i);
+        FlatLight light1(rings, i);
         const std::vector<double>&a = rings[i - 1].g, &b = rings[i].g;
         for (std::size_t j = 0; j < n; ++j) {
             const std::size_t k = j + 1 < n ? j + 1 : 0;
-            const double photons = 0.25 * cell * (light0[j] + light0[k] + light1[j] + light1[k]);
+            const double in0 = light0.photons(j), in1 = light0.photons(k), out0 = light1.photons(j),
+                         out1 = light1.photons(k), photons = 0.25 * cell * (in0 + in1 + out0 + out1);
             if (!(photons > 0.0)) continue;
             const double round = 0.5 * (a[k] + b[k] - a[j] - b[j]), outward = 0.5 * (b[j] + b[k] - a[j] - a[k]);
             // More of the light is where the cell is brighter.
-            const double brighter_round = light0[k] + light1[k] - light0[j] - light1[j],
-                         brighter_outward = light1[j] + light1[k] - light0[j] - light0[k],
+            const double brighter_round = in1 + out1 - in0 - out0, brighter_outward = out0 + out1 - in0 - in1,
                          moved = cell * (round * brighter_round + outward * brighter_outward) / (24.0 * photons);
             const double middle = 0.25 * (g0[j] + g0[k] + g1[j] + g1[k]) + moved;
             const double wide = std::fabs(round), deep = std::fabs(outward);
-            bins.add(middle, std::max(wide, deep), std::min(wide, deep), photons);
-            profile.all_photons += photons, profile.all_energy += middle * photons;
+            const Share share{photons, 0.25 * cell * (light0.linear(j, k) + light1.linear(j, k))};
+            bins.add(middle, std::max(wide, deep), std::min(wide, deep), share);
+            count(profile, middle, share);
         }
         g0 = std::move(g1), light0 = std::move(light1);
     }
@@ -202,7 +247,7 @@ LineProfile profile_of_ring(const DistantLight& light, const Rings& rings, const
     const DiscImage image(light, r - width, r + width, {kRingRadii, cells.angles, kRingColumns * cells.columns});
     const std::vector<Piece> ring{{{rings.at(image, r, line.emissivity({r})[0])}, 0.0}};
     LineProfile profile = empty_profile(bins, ring);
-    Bins filled(profile.from, profile.to, bins.count);
+    Bins filled(profile.from, profile.to, bins.count, static_cast<bool>(line.polarisation));
     add_ring(filled, profile, ring[0].rings[0]);
     filled.move_to(profile);
     return profile;
@@ -220,7 +265,7 @@ LineProfile line_profile(const DistantLight& light, const DiscLine& line, const 
     for (std::size_t i = 1; i < rims.size(); ++i)
         pieces.push_back(piece_of(light, rings, line, rims[i - 1], rims[i], cells));
     LineProfile profile = empty_profile(bins, pieces);
-    Bins filled(profile.from, profile.to, bins.count);
+    Bins filled(profile.from, profile.to, bins.count, static_cast<bool>(line.polarisation));
     for (const Piece& piece : pieces) add_piece(filled, profile, piece);
     filled.move_to(profile);
     return profile;

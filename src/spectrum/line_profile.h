@@ -14,6 +14,7 @@
 // have errors of fourth order. A ring alone has a profile that is infinite at both of its edges, as one over a root; its part in a bin is
 // finite, and found along the ring in the same way.
 #pragma once
+#include <complex>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -25,11 +26,18 @@ namespace nullscope {
 
 enum class Limb { kIsotropic, kLaor, kHaardt };  // 1; 1 + 2.06 mu (Laor 1991); ln(1 + 1/mu) (Haardt 1993)
 
+// A photon that the observer sees, of energy 1 there: where in the picture, its constants, and zeta' where it leaves the disc.
+struct LinePhoton {
+    double alpha, beta, lambda, eta, slope;
+};
+using LinePolarisation = std::function<std::complex<double>(const LinePhoton&)>;  // Q + iU over I
+
 struct DiscLine {
     double inner, outer;  // r_s, outside of the horizon; equal: one ring, of unit width
     // Of each of these radii, in any unit.
     std::function<std::vector<double>(const std::vector<double>& radii)> emissivity;
     Limb limb = Limb::kIsotropic;
+    std::function<LinePolarisation(double r)> polarisation{};  // of light from this radius; nothing: it has none
 };
 
 // Cells (rows times columns) and nodes of the image of each part of the disc, within and beyond the innermost stable orbit. A level has twice
@@ -45,6 +53,9 @@ struct LineProfile {
     double from = 0, to = 0;                 // g: of the bins, which are equal
     std::vector<double> photons, energy;     // in each bin, emissivity times r_s^2 (of a ring: r_s)
     double all_photons = 0, all_energy = 0;  // in the bins or not
+    // Q + iU of the photons, angles from alpha towards beta; no bins where light is not polarised. Of the energy flux they are the same fraction.
+    std::vector<std::complex<double>> linear;
+    std::complex<double> all_linear;
     // Of all photons, the share that is in a bin; and the g at which it begins.
     double share(std::size_t bin) const { return photons[bin] / all_photons; }
     double edge(std::size_t bin) const {

@@ -320,6 +320,52 @@ size = 0.3
         self.assertIn("Q and U end elsewhere than they begin\n", said)
 
 
+class PolarisedLine(support.CliTest):
+    DISC = """[spacetime]
+metric = "kerr"
+spin = 0.7
+[camera]
+theta = %s
+[disc]
+inner = 3
+outer = 6
+emission = "thermal"
+polarisation = "synchrotron"
+field = "vector"
+field_vector = [0.6, -0.5, 0.4]
+"""
+
+    def test_q_and_u_by_energy_are_sums_over_the_image_from_above_and_below(self):
+        """Of rays that are traced one by one, on a grid that is fine along both rims."""
+        radii, angles, bins = 90, 60, 4
+        low, high = math.log(2), math.log(8.5)
+        places = [(math.exp(low + (i + 0.5) / radii * (high - low)), 2 * math.pi * (j + 0.5) / angles) for i in range(radii) for j in range(angles)]
+        for theta in (55, 125):
+            scene = self.write("disc.toml", self.DISC % theta)
+            self.write("rays.csv", "alpha,beta,theta\n" + "".join(
+                f"{rho * math.cos(chi)!r},{rho * math.sin(chi)!r},{math.radians(theta)!r}\n" for rho, chi in places))
+            self.run_nullscope("trace", scene, "--rays", "rays.csv", "--with", "core64", "--crossings", "1", "-o", "traced.csv")
+            said = self.run_nullscope("spectrum", scene, "--bins", bins, "--from", "0.5", "--to", "1.3", "-o", "line").out
+            rows = table(self.folder / "line.csv")
+            self.assertEqual(list(rows[0]), ["g_from", "g_to", "g", "photons", "energy", "stokes_q", "stokes_u", "fraction", "angle_deg"])
+            photons, linear = [0.0] * bins, [0j] * bins
+            with open(self.folder / "traced.csv", encoding="utf-8") as file:
+                for (rho, _), ray in zip(places, csv.DictReader(file)):
+                    if not ray["r_1"] or not 3 <= float(ray["r_1"]) <= 6:
+                        continue
+                    g, light = float(ray["g_1"]), float(ray["g_1"]) ** 3 * float(ray["r_1"]) ** -3 * rho ** 2
+                    photons[int((g - 0.5) / 0.8 * bins)] += light
+                    linear[int((g - 0.5) / 0.8 * bins)] += light * float(ray["p_1"]) * cmath.exp(2j * float(ray["chi_1"]))
+            for row, part, value in zip(rows, photons, linear):
+                self.assertAlmostEqual(row["photons"], part / sum(photons), delta=0.01)
+                self.assertAlmostEqual(complex(row["stokes_q"], row["stokes_u"]), value / sum(photons), delta=0.01)
+                self.assertAlmostEqual(row["fraction"] * cmath.exp(2j * math.radians(row["angle_deg"])) * row["photons"],
+                                       complex(row["stokes_q"], row["stokes_u"]), delta=1e-6)
+            self.assertGreater(max(abs(complex(row["stokes_q"], row["stokes_u"])) for row in rows), 0.05)
+            net = float(re.search(r"polarised ([\d.]+) % of all photons", said).group(1))
+            self.assertAlmostEqual(net, 100 * abs(sum(linear)) / sum(photons), delta=1)
+
+
 class Ticks(support.CliTest):
     def test_ticks_are_over_displayed_pictures_that_are_not_plain(self):
         text = self.run_nullscope("scenes", "m87-swirl").out.replace('scale_bar = "uas"\n', "")

@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numeric>
 
 #include "reference/disc_light.h"
+#include "reference/disc_polarisation.h"
 #include "reference/metric.h"
 #include "reference/reference.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 #include "spectrum/line_profile.h"
 #include "support/costly.h"
+#include "table/distant_polarisation.h"
 
 namespace {
 
@@ -192,6 +195,113 @@ TEST_CASE("line profile: as the reference's rays make it, summed up over the ima
             CHECK(std::fabs(our_parts[n] - parts[n]) < kPart * sums[0]);
         }
     }
+}
+
+// Of a disc's light, seen from infinity, with a field along no axis.
+constexpr double kPolarised = 0.6;
+const Vec3 kField = normalized(Vec3{0.6, -0.5, 0.4});
+LinePolarisation polarised_ring(const DistantPolarisation& seen, double r) {
+    return [of = seen.ring(r)](const LinePhoton& p) { return of({p.alpha, p.beta, p.lambda, p.eta, p.slope}); };
+}
+
+TEST_CASE("line profile: rays are polarised as the reference carries it") {
+    constexpr double kObserver = 1e-4;  // rad; what is seen from kFarLine, not from infinity
+    for (const SpacetimeSpec& spec : kSpecs)
+        for (const bool scatters : {false, true}) {
+            CAPTURE(spec.metric);
+            const double inclination = 50 * kDegree;
+            Scene scene;
+            scene.spacetime = spec;
+            DiscSpec& disc = scene.disc.emplace();
+            disc.inner = 1.2, disc.outer = 20, disc.emission = DiscEmission::kThermal;
+            disc.polarisation.by = scatters ? Polarisation::kScattering : Polarisation::kSynchrotron;
+            disc.polarisation.field = DiscField::kVector, disc.polarisation.vector = kField;
+            const auto judge = reference::DiscPolarisation::make(scene);
+            REQUIRE(judge);
+            const auto spacetime = *make_spacetime(spec.metric, spec.parameters);
+            const DistantLight light = light_of(spacetime, 50);
+            const DistantPolarisation seen(spacetime, inclination, field_of(disc.polarisation),
+                                           polarised_fraction(disc.polarisation));
+            int met = 0;
+            for (int i = 0; i < 12; ++i) {
+                const double rho = 2.4 * std::pow(4, i / 12.0), chi = 2.4 * i;
+                const double alpha = rho * std::cos(chi), beta = rho * std::sin(chi);
+                RayQuery query;
+                query.r = kFarLine, query.theta = inclination;
+                query.n = {-1, -beta / kFarLine, alpha / kFarLine};
+                const auto known = judge->at(query, 1);
+                const auto ours = light.crossing(alpha, beta);
+                if (!known || !ours || known->r < 1.1) continue;
+                ++met;
+                const auto [lambda, eta] = light.constants(alpha, beta);
+                const auto linear = seen.ring(1 / ours->zeta)({alpha, beta, lambda, eta, ours->slope});
+                CHECK(std::fabs(std::remainder(0.5 * std::arg(linear) - known->angle, M_PI)) < kObserver);
+                CHECK(std::fabs(std::abs(linear) - known->fraction) < kObserver);
+            }
+            CHECK(met > 7);
+        }
+}
+
+TEST_CASE("line profile: Q and U of its bins are those of the image's points, summed up") {
+    const auto spacetime = spinning(0.9);
+    const double inner = 0.85, outer = 4;  // across the innermost stable orbit
+    const DistantLight light = light_of(spacetime, 40);
+    const DistantPolarisation seen(spacetime, 40 * kDegree, kField, kPolarised);
+    const auto emissivity = [&](double r) {
+        const double at = std::log(r / inner) / std::log(outer / inner);
+        return at > 0 && at < 1 ? std::pow(std::sin(M_PI * at), 4) : 0.0;
+    };
+    DiscLine line{inner, outer, [&](const std::vector<double>& radii) {
+                      std::vector<double> values;
+                      for (const double r : radii) values.push_back(emissivity(r));
+                      return values;
+                  }};
+    line.polarisation = [&](double r) { return polarised_ring(seen, r); };
+    constexpr std::size_t kParts = 8;
+    const LineProfile profile = line_profile(light, line, {kParts, 0.05, 1.45}, LineCells(0));
+    REQUIRE(profile.linear.size() == kParts);
+    std::array<std::complex<double>, kParts> parts{};
+    std::complex<double> all;
+    double photons = 0;
+    constexpr int kRadii = 160, kAngles = 120;
+    const double low = std::log(0.05), high = std::log(outer + 2);
+    for (int i = 0; i < kRadii; ++i)
+        for (int j = 0; j < kAngles; ++j) {
+            const double rho = std::exp(low + (i + 0.5) / kRadii * (high - low)), chi = 2 * M_PI * (j + 0.5) / kAngles;
+            const double alpha = rho * std::cos(chi), beta = rho * std::sin(chi);
+            const auto met = light.crossing(alpha, beta);
+            const double r = met ? 1 / met->zeta : 0.0;
+            if (!met || !(emissivity(r) > 0)) continue;
+            const auto [lambda, eta] = light.constants(alpha, beta);
+            const MatterVelocity u = disc_matter(*spacetime, r);
+            const double g =
+                1 / (u.u_t - lambda * u.u_phi - met->slope * r * r / spacetime->equator(r)->across2 * u.u_r);
+            const double light_here =
+                g * g * g * emissivity(r) * rho * rho * (high - low) / kRadii * 2 * M_PI / kAngles;
+            const auto linear = light_here * seen.ring(r)({alpha, beta, lambda, eta, met->slope});
+            photons += light_here, all += linear;
+            parts[static_cast<std::size_t>((g - 0.05) / 1.4 * kParts)] += linear;
+        }
+    CHECK(std::abs(profile.all_linear - all) < 2e-4 * photons);
+    CHECK(std::fabs(profile.all_photons / photons - 1) < 2e-4);
+    for (std::size_t n = 0; n < kParts; ++n) CHECK(std::abs(profile.linear[n] - parts[n]) < 0.01 * photons);
+    const auto sum = std::accumulate(profile.linear.begin(), profile.linear.end(), std::complex<double>());
+    CHECK(std::abs(sum - profile.all_linear) < 1e-10 * photons);
+    CHECK(std::abs(all) > 0.05 * photons);  // there is something to be wrong about
+    line.polarisation = {};
+    CHECK(line_profile(light, line, {kParts, 0.05, 1.45}, LineCells(0)).linear.empty());
+}
+
+TEST_CASE("line profile: a ring far out in a vertical field is polarised along its image's major axis") {
+    const double r = 5e9;  // of the next order: v/c
+    const auto spacetime = spinning(0.5);
+    const DistantPolarisation seen(spacetime, 60 * kDegree, {0, 0, 1}, kPolarised);
+    DiscLine line = power_law(r, r);
+    line.polarisation = [&](double at) { return polarised_ring(seen, at); };
+    const LineProfile ring = line_profile(light_of(spacetime, 60), line, {8, 1 - 1e-5, 1 + 1e-5}, LineCells(0));
+    for (std::size_t i = 0; i < ring.photons.size(); ++i)
+        if (ring.photons[i] > 0) CHECK(std::abs(ring.linear[i] / ring.photons[i] - kPolarised) < 1e-4);
+    CHECK(std::abs(ring.all_linear / ring.all_photons - kPolarised) < 1e-4);
 }
 
 TEST_CASE("line profile: a ring far out has the two horns of Kepler's law") {
