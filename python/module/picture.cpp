@@ -1,6 +1,7 @@
 // Pictures and ray data of frames.
 #include <fmt/format.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/complex.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
@@ -11,6 +12,7 @@
 #include "command/session.h"
 #include "command/shot.h"
 #include "command/stereo_capture.h"
+#include "compare/stokes_measures.h"
 #include "image/image_formats.h"
 #include "image/picture_texts.h"
 #include "module/arrays.h"
@@ -18,6 +20,7 @@
 #include "module/module.h"
 #include "reference/reference.h"
 #include "render/display.h"
+#include "scene/projection.h"
 #include "scenefile/photo_sphere.h"
 #include "scenefile/picture_scene.h"
 
@@ -102,11 +105,19 @@ auto with_session(const cli::Shot& shot, const Asked& asked, const Draw& draw) -
     }
 }
 
-auto capture(const Scene& scene, const Asked& asked, const nb::object& progress) {
+template <class T>
+auto image_array(Image<T>& image) {
+    const auto height = static_cast<std::size_t>(image.height), width = static_cast<std::size_t>(image.width);
+    return array_of(std::move(image.data), {height, width, static_cast<std::size_t>(image.channels)});
+}
+
+// Light; Stokes parameters and the net fraction, the resolved one and beta_2, each None where there are none.
+nb::tuple capture(const Scene& scene, const Asked& asked, const nb::object& progress) {
+    CameraSpec camera;
     auto captured = run(progress, [&](Watch& watch) -> Result<cli::Captured> {
         cli::DrawOptions options;
         options.listener = watch.listener();
-        options.in_bands = true;
+        options.in_bands = options.stokes = true;
         if (asked.renderer == "reference") options.samples = asked.samples;
         TRY(shot, shot_of(scene, asked, options.listener));
         TRY(stereo, cli::check_stereo(shot->scene, options, false));
@@ -116,12 +127,15 @@ auto capture(const Scene& scene, const Asked& asked, const nb::object& progress)
         }
         return with_session(*shot, asked, [&](cli::Session* session) {
             const Exposure shown = cli::exposure_in(*shot, 0.0, asked.frame.value_or(0));
+            camera = shown.scene.camera;
             return cli::draw_shot(*shot, session, shown, options, false);
         });
     });
-    Image<float>& image = captured.linear;
-    const auto height = static_cast<std::size_t>(image.height), width = static_cast<std::size_t>(image.width);
-    return array_of(std::move(image.data), {height, width, static_cast<std::size_t>(image.channels)});
+    if (captured.stokes.empty()) return nb::make_tuple(image_array(captured.linear), nb::none(), nb::none());
+    const auto [x, y] = line_of_sight(camera);
+    const StokesMeasures found = stokes_measures(captured.stokes, x, y);
+    return nb::make_tuple(image_array(captured.linear), image_array(captured.stokes),
+                          nb::make_tuple(found.net, found.resolved, found.beta_2));
 }
 
 // Twelve doubles a pixel, in the order of the channels.
@@ -223,8 +237,7 @@ void add_picture(nb::module_& m) {
         "displayed",
         [](const Scene& scene, const Linear& light) {
             Image<unsigned char> image = displayed(scene, light);
-            const auto height = static_cast<std::size_t>(image.height), width = static_cast<std::size_t>(image.width);
-            return array_of(std::move(image.data), {height, width, 3});
+            return image_array(image);
         },
         nb::arg("scene"), nb::arg("light"),
         "8 bits a colour, shape (height, width, 3): bloom, exposure, tone curve, sRGB.");
@@ -245,7 +258,8 @@ void add_picture(nb::module_& m) {
             return nb::bytes(bytes.data(), bytes.size());
         },
         nb::arg("scene"), nb::arg("light"), nb::arg("options") = "", nb::arg("asked") = nb::dict(),
-        "The same as the bytes of a PNG file. options: of the command line, with which it was drawn; asked: of capture().");
+        "The same as the bytes of a PNG file. options: of the command line, with which it was drawn; asked: of "
+        "capture().");
     m.def("forget_session", forget_session,
           "Closes the OpenGL context that pictures of this thread keep, and frees what is in it.");
 }

@@ -1,4 +1,6 @@
 """Pictures and the ray data of frames."""
+from typing import NamedTuple
+
 import numpy as np
 
 from . import _core
@@ -14,6 +16,13 @@ RAYDATA = np.dtype([("fate", "f8"), ("sky.x", "f8"), ("sky.y", "f8"), ("sky.z", 
                     (("ray.hit_w", "w"), "f8")])
 
 
+class Polarisation(NamedTuple):
+    """What observers measure of a picture's linear polarisation (docs/light.md)."""
+    net: float        # |sum of Q + iU| over the sum of I, [0, 1]
+    resolved: float   # sum of |Q + iU| over the sum of I, [0, 1]
+    beta_2: complex   # sum of (Q + iU) e^(-2i phi) over the sum of I, phi about the line of sight
+
+
 class Picture(np.ndarray):
     """Linear light, Rec. 709, float32, shape (height, width, 3), top row first; notebooks show it as a display would.
 
@@ -22,6 +31,10 @@ class Picture(np.ndarray):
     scene = None   # that it is of: its exposure, bloom and tone curve
     options = ""   # of the command line, with which capture() drew it
     asked = {}     # the same as capture() has them
+    # Of pictures as capture() drew them; None of what is computed or copied from one, of light that is not polarised, of the reference tracer, of the pair of a
+    # [split] or stereo scene, and of pictures that are drawn in bands for their size:
+    stokes: np.ndarray | None = None   # I, Q, U, V, float32, shape (height, width, 4): I the luminance, angles from the picture's right towards up; V is 0
+    polarisation: Polarisation | None = None
 
     def __array_finalize__(self, source):
         self.scene = getattr(source, "scene", None)
@@ -29,7 +42,7 @@ class Picture(np.ndarray):
         self.asked = getattr(source, "asked", {})
 
     def __reduce__(self):
-        return _picture, (self.view(np.ndarray), self.scene, self.options, self.asked)
+        return _picture, (self.view(np.ndarray), self.scene, self.options, self.asked, self.stokes, self.polarisation)
 
     def display(self) -> np.ndarray:
         """Display-encoded (bloom, exposure, tone curve, sRGB): uint8, shape (height, width, 3)."""
@@ -50,9 +63,10 @@ class Picture(np.ndarray):
         return self.png() if self.ndim == 3 and self.shape[2] == 3 and self.size and self.scene is not None else None
 
 
-def _picture(light, scene, options, asked):
+def _picture(light, scene, options, asked, stokes=None, polarisation=None):
     picture = light.view(Picture)
     picture.scene, picture.options, picture.asked = scene, options, asked
+    picture.stokes, picture.polarisation = stokes, polarisation
     return picture
 
 
@@ -82,12 +96,14 @@ def capture(scene: SceneLike, size: Size = None, *, renderer: str = "gl", method
 
     size: (width, height), px; None: the scene's. renderer: "gl", the shader, or "reference", in double precision and slow. method,
     max_error (px), samples (a side of a pixel), time (r_s/c), context: as of the command. frame: of the scene's [path], from 0.
-    Returns a Picture: float32, shape (height, width, 3), linear light.
+    Returns a Picture: float32, shape (height, width, 3), linear light. Of polarised light it has picture.stokes and picture.polarisation; the
+    shader draws it two times more for these.
     The first picture of a thread opens an OpenGL context, which the next ones find; forget_session() closes it.
     """
     given = _scene(scene)
     options = _options(size, renderer=renderer, method=method, max_error=max_error, samples=samples, time=time, frame=frame, context=context)
-    return _picture(_core.capture(given, options, progress), given, _words(options), options)
+    light, stokes, measures = _core.capture(given, options, progress)
+    return _picture(light, given, _words(options), options, stokes, measures and Polarisation(*measures))
 
 
 def raydata(scene: SceneLike, size: Size = None, *, renderer: str = "gl", method: str = "auto", max_error: float | None = None,

@@ -72,6 +72,31 @@ class Pictures(Test):
         self.check("hot-spot", "--time", "30", time=30)
         self.check("sky-only", "--method", "table:64", method="table:64")
 
+    def test_stokes_parameters_equal_to_the_command_line(self):
+        picture = self.check("m87-swirl", size=(64, 36))
+        channels = self.exr("m87-swirl", "--size", "64x36")
+        there = np.stack([channels["stokes." + c] for c in "IQUV"], axis=-1)
+        self.assertEqual((picture.stokes.dtype, picture.stokes.shape), (np.float32, (36, 64, 4)))
+        self.assertTrue(np.array_equal(picture.stokes.view(np.uint32), there.view(np.uint32)))
+        # What observers measure, by its definition.
+        i, q, u, _ = np.moveaxis(picture.stokes.astype(float), 2, 0)
+        y, x = np.mgrid[:36, :64]
+        linear, phi = q + 1j * u, np.arctan2(18 - (y + 0.5), x + 0.5 - 32)
+        found = picture.polarisation
+        self.assertIsInstance(found, ns.Polarisation)
+        self.assertAlmostEqual(found.net, abs(linear.sum()) / i.sum(), delta=1e-6)
+        self.assertAlmostEqual(found.resolved, abs(linear).sum() / i.sum(), delta=1e-6)
+        self.assertAlmostEqual(found.beta_2, (linear * np.exp(-2j * phi)).sum() / i.sum(), delta=1e-6)
+        self.assertGreater(abs(found.beta_2), 0.1)
+
+    def test_pictures_without_stokes_parameters(self):
+        plain = ns.capture("kerr", (16, 9))
+        exact = ns.capture("m87-swirl", (16, 9), renderer="reference", samples=1)
+        computed = 2 * ns.capture("m87-swirl", (16, 9))[::2]
+        for picture in (plain, exact, computed):
+            self.assertIsNone(picture.stokes)
+            self.assertIsNone(picture.polarisation)
+
     def test_ray_data_equal_to_the_command_line(self):
         for renderer in ("gl", "reference"):
             rays = ns.raydata("kerr", (48, 27), renderer=renderer)

@@ -93,6 +93,10 @@ class Pickles(unittest.TestCase):
         kept = pickle.dumps(made, 5, buffer_callback=buffers.append)
         self.assertEqual([buffer.raw().nbytes for buffer in buffers], [made.nbytes])   # not copied
         self.check_picture(pickle.loads(kept, buffers=buffers), made)
+        polarised = ns.capture("m87-swirl", (16, 9))
+        there = again(polarised)
+        self.assertTrue(np.array_equal(there.stokes, polarised.stokes))
+        self.assertEqual(there.polarisation, polarised.polarisation)
         column = again(made[:, 0])
         self.assertEqual((column.shape, column.scene), ((36, 3), made.scene))
 
