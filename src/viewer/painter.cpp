@@ -94,6 +94,32 @@ std::optional<EffectTimes> Painter::take_times() {
     return std::exchange(times_, std::nullopt);
 }
 
+void Painter::trace_loop(std::optional<LoopOrder> order) {
+    const std::lock_guard lock(mutex_);
+    loop_order_ = std::move(order);
+    loop_asked_ = loop_due_ = true;
+    loop_.reset();
+    wake_.notify_all();
+}
+
+std::optional<StokesLoop> Painter::take_loop() {
+    std::unique_lock lock(mutex_);
+    if (own_ != nullptr && loop_due_) do_loop(own_trace_, lock);
+    return std::exchange(loop_, std::nullopt);
+}
+
+// One point: a job that comes meanwhile waits for no more. lock: is free while it draws.
+void Painter::do_loop(LoopTrace& trace, std::unique_lock<std::mutex>& lock) {
+    if (std::exchange(loop_asked_, false)) trace.begin(std::exchange(loop_order_, std::nullopt));
+    if (trace.runs()) {
+        lock.unlock();
+        StokesLoop found = trace.step();
+        lock.lock();
+        if (!loop_asked_) loop_ = std::move(found);
+    }
+    loop_due_ = loop_asked_ || trace.runs();
+}
+
 bool Painter::interrupted() const {
     const std::lock_guard lock(mutex_);
     return job_.has_value() || thread_.get_stop_token().stop_requested();
@@ -108,8 +134,16 @@ void Painter::work(const std::stop_token& stop) {
     try {
         make_current(context_);
         FrameRenderer frame_renderer;
+        LoopTrace trace;
         std::unique_lock lock(mutex_);
-        while (wake_.wait(lock, stop, [this] { return job_ || order_; }), !stop.stop_requested()) {
+        while (wake_.wait(lock, stop, [this] { return job_ || order_ || loop_due_; }), !stop.stop_requested()) {
+            if (!job_ && loop_due_) {
+                do_loop(trace, lock);
+                lock.unlock();
+                news_();
+                lock.lock();
+                continue;
+            }
             const auto job = std::exchange(job_, std::nullopt);
             const auto order = job ? std::nullopt : std::exchange(order_, std::nullopt);
             at_work_ = true;

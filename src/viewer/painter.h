@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "viewer/frame_renderer.h"
+#include "viewer/loop_trace.h"
 #include "viewer/window.h"
 
 namespace nullscope::viewer {
@@ -42,6 +43,10 @@ public:
     void measure(const Scene& scene, const Method& method);
     std::optional<EffectTimes> take_times();  // if there is more than at the last call
 
+    // Follows an orbit's light between jobs, from the first point; nothing: no more of it.
+    void trace_loop(std::optional<LoopOrder> order);
+    std::optional<StokesLoop> take_loop();  // its points, if there are more than at the last call
+
 private:
     template <class T>
     T locked(const T& member) const {
@@ -51,6 +56,7 @@ private:
     void work(const std::stop_token& stop);
     void do_job(FrameRenderer& frame_renderer, const PaintJob& job);
     void do_measure(FrameRenderer& frame_renderer, const PaintJob& order);
+    void do_loop(LoopTrace& trace, std::unique_lock<std::mutex>& lock);
     void publish(Painting painting, bool last);
     DrawWatch watch(bool whole_job);
     DrawWatch quiet_watch() const;  // of what nobody waits for
@@ -68,10 +74,14 @@ private:
     bool last_ = false;                // painting_ is its job's last
     bool busy_ = false, at_work_ = false, gives_up_ = false;
     PaintProgress progress_;
-    std::optional<EffectTimes> times_;  // that were not taken yet
+    std::optional<EffectTimes> times_;            // that were not taken yet
+    bool loop_asked_ = false, loop_due_ = false;  // loop_order_ is new; there are points left
+    std::optional<LoopOrder> loop_order_;
+    std::optional<StokesLoop> loop_;  // that was not taken yet
     std::exception_ptr failure_;
     int drawn_by_caller_ = 0;
     std::unique_ptr<FrameRenderer> own_;  // without a thread
+    LoopTrace own_trace_;                 // likewise
     // Last: ends before what it uses; waits for a driver that compiles, a sky that is built, an image that is read.
     std::jthread thread_;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "studio/bookmarks.h"
+#include "studio/loop_watch.h"
 #include "studio/user_files.h"
 #include "viewer/bookmark_panel.h"
 #include "viewer/probe.h"
@@ -25,6 +26,7 @@ struct PanelParts {
     Bookmarks bookmarks{state_folder().empty() ? state_folder() : state_folder() / "bookmarks"};
     BookmarkPanel bookmark_strip;
     TourPanel tour;
+    LoopWatch loop;
     const std::vector<TourInfo>& all_tours() {  // that ship, read once
         if (tours.empty()) tours = shipped_tours();
         return tours;

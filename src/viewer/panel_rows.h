@@ -4,8 +4,8 @@
 
 namespace nullscope::viewer {
 
-extern const Panel kSidePanel, kTimelinePanel, kProbePanel, kBookmarksPanel, kHistogramPanel, kKeysPanel, kEditorPanel,
-    kAboutPanel, kToursPanel;
+extern const Panel kSidePanel, kTimelinePanel, kProbePanel, kBookmarksPanel, kHistogramPanel, kLoopPanel, kKeysPanel,
+    kEditorPanel, kAboutPanel, kToursPanel;
 
 inline constexpr const Panel* kPanelRows[] = {
     &kSidePanel,       //
@@ -13,6 +13,7 @@ inline constexpr const Panel* kPanelRows[] = {
     &kProbePanel,      //
     &kBookmarksPanel,  // beside the probe
     &kHistogramPanel,  //
+    &kLoopPanel,       // beside the histogram
     &kKeysPanel,       //
     &kEditorPanel,     // above the strips
     &kAboutPanel,      //

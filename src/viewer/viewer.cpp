@@ -138,6 +138,7 @@ bool Viewer::step() {
     if (input.moved || input.happened || changed || moving_ || news) probe(input);
     follow_changes(changed);
     measure_effects(!moving_ && !changed);
+    follow_loop();
     // In one context the window's first frame would wait for the first picture.
     if (painter_->in_background() || patient() || pace_.drawn_at() > 0.0) ask();
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse))  // tooltips

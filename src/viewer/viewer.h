@@ -72,6 +72,7 @@ private:
     void show_frame(Painting painting);
     void refuse(const Painting& painting);
     void measure_effects(bool still);
+    void follow_loop();  // of Q and U, for its panel
     void probe(const Input& input);
     void log_rest();
     void draw(unsigned framebuffer, PixelSize to);
@@ -142,7 +143,8 @@ private:
     Adaptation adaptation_;
     PictureRate rate_;
     Pace pace_;
-    bool moving_ = false;  // something did, in this turn of the loop
+    bool traces_loop_ = false;  // the painter was asked for one
+    bool moving_ = false;       // something did, in this turn of the loop
     Message message_;
     double escaped_at_ = -1e9;  // when Escape had nothing to close: pressed again, it quits
     ViewerLogs logs_;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "studio/pace.h"
+#include "viewer/panel_rows.h"
 #include "viewer/viewer.h"
 
 namespace nullscope::viewer {
@@ -18,7 +20,8 @@ void Viewer::log_rest() {
     const bool times_due = docked(view_) && view_.show_effects && !effects_.times().complete;
     window_->framebuffer();  // an answer of the display's server: it has shown what it was sent before
     if (const Status written = logs_.layout.rest(logs_.last_key); !written) say(written.error().message());
-    logs_.turns.rest(logs_.last_key, cover_.accuracy->at_work() || cover_.orders_at_work() || times_due);
+    const bool loop_due = is_open(view_, kLoopPanel) && panels_.loop.waits();
+    logs_.turns.rest(logs_.last_key, cover_.accuracy->at_work() || cover_.orders_at_work() || times_due || loop_due);
 }
 
 bool Viewer::in_motion() const {
@@ -52,6 +55,21 @@ void Viewer::measure_effects(bool still) {
     const bool wanted = docked(view_) && view_.show_effects;
     if (wanted && still && !due_.picture && !painter_->busy() && effects_.asks(seconds()))
         painter_->measure(shown_.scene(), shown_.painting.job.method);
+}
+
+void Viewer::follow_loop() {
+    if (!is_open(view_, kLoopPanel)) {
+        if (std::exchange(traces_loop_, false)) painter_->trace_loop({});
+        return;
+    }
+    if (auto order = panels_.loop.take_order()) {
+        painter_->trace_loop(std::move(order));
+        traces_loop_ = true;
+    }
+    if (auto loop = painter_->take_loop()) {
+        panels_.loop.take(std::move(*loop));
+        pace_.want(kSettlingFrames);
+    }
 }
 
 void Viewer::present() {

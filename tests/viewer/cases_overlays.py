@@ -1,5 +1,7 @@
 """Cases of what lies over the picture and beside it; each runs viewers of its own."""
 import math
+import re
+import subprocess
 import tomllib
 
 from viewer_process import *
@@ -227,6 +229,46 @@ def test_the_histogram_says_what_the_saved_picture_has(screen, program, folder):
         assert "Histogram" not in v.layout().windows, "Escape does not close it"
 
 
+SPOT = """[camera]
+r = 100.0
+theta = 160.0
+fov = 14.0
+[sky]
+kind = "black"
+[disc]
+emission = "thermal"
+inner = 3.0
+outer = 8.0
+brightness = 0.0
+opacity = 0.0
+polarisation = "synchrotron"
+[spot]
+r = 5.0
+temperature = 20000.0
+brightness = 50.0
+"""
+
+
+def test_the_loop_of_a_hot_spot_is_drawn_behind_its_picture(screen, program, folder):
+    with opened(screen, program, scene=SPOT) as v:
+        assert "Q-U_loop" not in v.layout().windows
+        v.settle("key", "u", measured=True)
+        assert says(v, "2 clockwise"), v.layout().texts
+        net = next(words for window, words, _ in v.layout().texts if window == "Q-U_loop" and words.endswith(" %") and not words.startswith("Q"))
+        v.settle("key", "Escape")
+        assert "Q-U_loop" not in v.layout().windows, "Escape does not close it"
+        # The number that capture prints of the whole picture, but for what few pixels miss.
+        file = Path(v.folder) / "spot.toml"
+        file.write_text(SPOT)
+        cli = Path(program).with_name("nullscope")
+        said = subprocess.run([cli, "capture", file, "--size", f"{WIDTH}x{HEIGHT}", "-o", Path(v.folder) / "spot.png"], capture_output=True, text=True, check=True)
+        known = float(re.search(r"polarised ([\d.e+-]+) % net", said.stdout).group(1))
+        assert abs(float(net.removesuffix(" %")) - known) < 0.02 * known, (net, known)
+    with opened(screen, program, scene=DARK + "[disc]\n") as v:   # nothing goes round
+        v.settle("key", "u")
+        assert "Q-U_loop" not in v.layout().windows
+
+
 def test_the_windows_place_is_kept(screen, program, folder):
     def place(v):
         words = subprocess.run(["xdotool", "getwindowgeometry", v.window], env=v.env, capture_output=True, text=True).stdout
@@ -343,5 +385,6 @@ if EVERYTHING:
               test_z_and_the_wheel_zoom_into_the_photon_ring, test_the_ring_of_a_rotating_hole_can_be_zoomed_into,
               test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
               test_the_embedding_diagram_is_drawn, test_framing_guides_lie_over_the_picture,
-              test_the_histogram_says_what_the_saved_picture_has, test_the_windows_place_is_kept,
+              test_the_histogram_says_what_the_saved_picture_has, test_the_loop_of_a_hot_spot_is_drawn_behind_its_picture,
+              test_the_windows_place_is_kept,
               test_panels_are_used_by_keyboard, test_the_sides_of_a_comparison_are_swapped]
