@@ -72,6 +72,11 @@ doppler() {
 drawn figures/doppler.jpg doppler
 drawn figures/inside.jpg picture figures/inside.jpg inside-the-hole 960x540
 drawn figures/swirl.jpg picture figures/swirl.jpg m87-swirl 960x540
+flare() {
+    "$nullscope" lightcurve sgr-a-flare --size 128x72 -o flare
+    sed '/^<metadata/,/^<\/metadata>/d' flare.svg >"$docs/figures/flare.svg"   # what it was made from is above
+}
+drawn figures/flare.svg flare
 # docs/paper.md, dome.md, own-metric.md, own-effect.md
 drawn figures/m87.jpg picture figures/m87.jpg m87 960x540
 drawn figures/dome.jpg picture figures/dome.jpg dome 640x640
