@@ -2,6 +2,7 @@
 // In a field of one direction: Leung, Gammie and Noble 2011 (ApJ 737, 21); mean over all directions: Mahadevan, Narayan and Yi
 // 1996 (ApJ 465, 327), for relativistic electrons. COLDEST_K and FIELD_DIRECTED: generated/medium_matter.
 #include "generated/medium_matter"
+#include "medium/electrons.glsl"
 #include "medium/light.glsl"
 #include "medium/matter.glsl"
 #include "medium/motion.glsl"
@@ -9,16 +10,7 @@
 #include "medium/planck.glsl"
 #include "shared/frame.glsl"
 
-#define ELECTRON_K 5.92989658e9         // m c^2/k
-#define GYRO_GHZ 2.79924899e-3          // e/(2 pi m c), GHz a gauss
-
-// K_2(x) exp(x) x^2/2 for x = 1/theta below 12, to 4e-6.
-float bessel_part(float x) {
-    float top = 1.0 + x * (3.11904059 + x * (3.7342093 + x * (2.04092927 + x * 0.43933163)));
-    return sqrt(top / (1.0 + 1.11883164 * x));
-}
-
-// log2 of it. way: of the light, where the matter rests; frequency in GHz.
+// log2 of that. way: of the light, where the matter rests; frequency in GHz.
 float log2_synchrotron(MediumMatter matter, vec3 way, float frequency) {
     float theta = clamp(matter.temperature, COLDEST_K, 1.0e14) / ELECTRON_K;
     float gyro = GYRO_GHZ * clamp(matter.field, 1.0e-6, 1.0e9);

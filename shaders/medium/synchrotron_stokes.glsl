@@ -3,6 +3,12 @@
 // Emission: Dexter 2016 (MNRAS 462, 115), equations A12 to A20; absorption by Kirchhoff's law; rotation and conversion: Shcherbakov 2008
 // (ApJ 688, 695) with the corrections of Dexter, equations B4 to B15. Signs: conversion from the dispersion of a cold plasma, where light
 // across the field runs ahead; rotation towards growing angles where the field points to the camera; V as core/stokes_transfer.glsl.
+#include "generated/medium_matter"
+#include "medium/electrons.glsl"
+#include "medium/light.glsl"
+#include "medium/matter.glsl"
+#include "medium/motion.glsl"
+#include "medium/place.glsl"
 #include "medium/screen.glsl"
 
 #define FARADAY_LOG2 -0.945904533   // log2 of 2 e^2/(m c) 1e-9, in units of LAW_UNIT and of its frequency squared

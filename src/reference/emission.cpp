@@ -7,18 +7,13 @@
 #include "light/black_body.h"
 #include "plan/medium.h"
 #include "reference/chebyshev.h"
+#include "reference/electron.h"
 #include "reference/seen_light.h"
 #include "scene/known_object.h"
 
 namespace nullscope::reference {
 namespace {
 
-// cgs
-constexpr double kCharge = 4.80320471e-10, kLight = 2.99792458e10, kElectron = 9.1093837e-28, kBoltzmann = 1.380649e-16,
-                 kPlanck = 6.62607015e-27;
-
-double gyro_frequency(double field) { return kCharge * field / (2 * M_PI * kElectron * kLight); }
-double theta_of(double temperature) { return kBoltzmann * temperature / (kElectron * kLight * kLight); }
 bool is_dark(double temperature, double field) { return temperature < kColdest_K || !(field > 0); }
 
 }  // namespace

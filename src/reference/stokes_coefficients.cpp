@@ -5,12 +5,12 @@
 
 #include <boost/math/special_functions/bessel.hpp>
 
+#include "reference/electron.h"
+
 namespace nullscope::reference {
 namespace {
 
-constexpr double kCharge = 4.80320471e-10, kLight = 2.99792458e10, kElectron = 9.1093837e-28,
-                 kBoltzmann = 1.380649e-16;  // cgs
-constexpr double kLeastSine = 1e-3;
+constexpr double kLeastFieldSine = 1e-3;
 
 struct Ratios {
     double zero, one;  // of K_0 and K_1 to K_2
@@ -26,9 +26,9 @@ Ratios bessel_ratios(double x) {
 
 StokesCoefficients thermal_stokes(double electrons, double temperature, double field, double cosine, double nu,
                                   bool faraday) {
-    const double sine = std::max(std::sqrt(std::max(1 - cosine * cosine, 0.0)), kLeastSine);
-    const double theta = kBoltzmann * temperature / (kElectron * kLight * kLight),
-                 gyro = kCharge * field / (2 * M_PI * kElectron * kLight), x = nu / (1.5 * gyro * sine * theta * theta);
+    const double sine = std::max(std::sqrt(std::max(1 - cosine * cosine, 0.0)), kLeastFieldSine);
+    const double theta = theta_of(temperature), gyro = gyro_frequency(field),
+                 x = nu / (1.5 * gyro * sine * theta * theta);
     const double third = 1 / std::cbrt(x), intensity = 1 + third * (1.92 + third * 0.9977);
     StokesCoefficients found{};
     found.emitted_q = (1 + third * (0.93193 + third * 0.499873)) / intensity;

@@ -114,10 +114,11 @@ TEST_CASE("polarised matter: of a file, with the field that it has" * test::cost
         camera.plane_width = 18.0 / camera.r, camera.focal_distance = 1;
         WorstStokes worst;
         compare_stokes(session, scene, worst);
-        fmt::print("torus of a file: I {:.2g} Q {:.2g} U {:.2g} V {:.2g} of the brightest; sums {:.6g} {:.6g} {:.6g} "
-                   "{:.6g}, exact {:.6g} {:.6g} {:.6g} {:.6g}\n",
-                   worst.error[0], worst.error[1], worst.error[2], worst.error[3], worst.sum[0], worst.sum[1],
-                   worst.sum[2], worst.sum[3], worst.exact[0], worst.exact[1], worst.exact[2], worst.exact[3]);
+        fmt::print(
+            "torus of a file: I {:.2g} Q {:.2g} U {:.2g} V {:.2g} of the brightest; sums {:.6g} {:.6g} {:.6g} "
+            "{:.6g}, exact {:.6g} {:.6g} {:.6g} {:.6g}\n",
+            worst.error[0], worst.error[1], worst.error[2], worst.error[3], worst.sum[0], worst.sum[1], worst.sum[2],
+            worst.sum[3], worst.exact[0], worst.exact[1], worst.exact[2], worst.exact[3]);
         for (std::size_t c = 0; c < 4; ++c) {
             CHECK(worst.error[c] < kStokesError);
             CHECK(std::abs(worst.sum[c] - worst.exact[c]) < kStokesFlux * worst.exact[0]);
