@@ -107,8 +107,9 @@ void add_capture_options(Command& command, CaptureOptions& options) {
         .one_of({"8", "16"});
     command.add_flag(
         "--plain", &options.plain,
-        fmt::format("No dividing line, labels, scale bar or ticks over a displayed picture or film ({} have none)",
-                    format_endings(" and ", [](const PictureFormat& f) { return f.sample == Sample::kLight; })));
+        fmt::format(
+            "No dividing line, labels, scale bar, ticks or streamlines over a displayed picture or film ({} have none)",
+            format_endings(" and ", [](const PictureFormat& f) { return f.sample == Sample::kLight; })));
     command.add_flag("--quiet", &options.quiet,
                      "No notes on standard error: unused parts of images, hints on smoother pictures");
     command.add_flag(

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "annotate/marks.h"
+#include "annotate/streamlines.h"
 #include "annotate/ticks.h"
 #include "base/assets.h"
 #include "command/stereo_capture.h"
@@ -31,21 +32,28 @@ void annotate(const Scene& scene, const std::optional<Halves>& split, const List
     if (!captured.words.empty()) lay_over(marks.marks, captured.words);
 }
 
-// Of the light of a picture as small as there are ticks.
-Status add_ticks(Session* session, const Scene& scene, const Listener& listener, Captured& captured) {
-    if (!scene.picture.ticks || !is_polarised(scene)) return Done{};
+// Of the light of a smaller picture: streamlines, and ticks over them.
+Status show_polarisation(Session* session, const Scene& scene, const Listener& listener, Captured& captured) {
+    const PictureSpec& picture = scene.picture;
+    if (!(picture.ticks || picture.streamlines) || !is_polarised(scene)) return Done{};
     const int width = std::max(captured.bytes.width, captured.words.width),
               height = std::max(captured.bytes.height, captured.words.height);
     if (width == 0) return Done{};
     if (session == nullptr) {
-        listener.note("picture.ticks are drawn by the shader only");
+        listener.note("picture.ticks and picture.streamlines are drawn by the shader only");
         return Done{};
     }
-    TRY(ready, session->renderer->prepare(tick_scene(scene, width, height)));
-    const std::vector<Mark> marks = tick_marks(draw_stokes(*session->renderer), width, height);
-    if (!captured.bytes.empty()) lay_over(marks, captured.bytes);
-    if (!captured.words.empty()) lay_over(marks, captured.words);
-    return Done{};
+    const auto lay = [&](const Scene& smaller, auto marks_of) -> Status {
+        TRY(ready, session->renderer->prepare(smaller));
+        const std::vector<Mark> marks = marks_of(draw_stokes(*session->renderer), width, height);
+        if (!captured.bytes.empty()) lay_over(marks, captured.bytes);
+        if (!captured.words.empty()) lay_over(marks, captured.words);
+        return Done{};
+    };
+    if (picture.streamlines) {
+        TRY(laid, lay(streamline_scene(scene, width, height), streamline_marks));
+    }
+    return picture.ticks ? lay(tick_scene(scene, width, height), tick_marks) : Done{};
 }
 
 }  // namespace
@@ -148,12 +156,12 @@ Result<Captured> draw_shot(const Shot& shot, Session* session, const Exposure& s
     TRY(captured, stereo ? capture_stereo(session, shown, options)
                          : capture_picture(session, split ? half(&Halves::left) : shown, options, next));
     if (lettered && !stereo) {
-        TRY(ticked, add_ticks(session, split ? split->left : scene, options.listener, *captured));
+        TRY(laid, show_polarisation(session, split ? split->left : scene, options.listener, *captured));
     }
     if (split) {
         TRY(right, capture_picture(session, half(&Halves::right), options));
         if (lettered) {
-            TRY(ticked, add_ticks(session, split->right, options.listener, *right));
+            TRY(laid, show_polarisation(session, split->right, options.listener, *right));
         }
         captured->linear = side_by_side(captured->linear, right->linear);
         captured->stokes = {};  // of two pictures there are none

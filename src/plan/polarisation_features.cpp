@@ -78,7 +78,13 @@ std::span<const Feature> polarisation_features() {
               "Whether ticks over the displayed picture lie along the electric vector of polarised light, as long as "
               "its fraction; "
               "needs a disc.polarisation or medium.polarisation, not in stereo pictures.",
-              [](auto& s) { return &s.picture.ticks; }, is_polarised, kPolarised)}},
+              [](auto& s) { return &s.picture.ticks; }, is_polarised, kPolarised),
+          on_off_key(
+              "picture", "streamlines", "off",
+              "Whether a texture of lines over the displayed picture runs along the electric vector of polarised "
+              "light, with the more contrast the larger its fraction; needs a disc.polarisation or medium.polarisation, not in stereo "
+              "pictures and split screens of the viewer, nor while the viewer's picture moves.",
+              [](auto& s) { return &s.picture.streamlines; }, is_polarised, kPolarised)}},
     });
     return features;
 }

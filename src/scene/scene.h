@@ -310,7 +310,8 @@ struct PictureSpec {
     int samples = 1;             // a pixel is the mean of samples x samples rays
     bool refine = true;          // where samples is 1: pixels that differ much from a neighbour have more rays
     ScaleBar scale_bar = ScaleBar::kOff;
-    bool ticks = false;  // along the electric vector of polarised light, over the displayed picture
+    bool ticks = false;        // along the electric vector of polarised light, over the displayed picture
+    bool streamlines = false;  // likewise, a texture of lines
     // Axis of a linear polariser before the camera, rad from the picture's right towards up; unset: none.
     std::optional<double> polariser{};
     double shutter =

@@ -6,6 +6,7 @@
 #include "annotate/ticks.h"
 #include "spacetime/registry.h"
 #include "studio/bands.h"
+#include "viewer/streamline_layer.h"
 #include "viewer/window.h"
 
 namespace nullscope::viewer {
@@ -85,7 +86,7 @@ double FrameRenderer::ray_picture_ms(const PaintJob& job) const {
 
 bool FrameRenderer::drafts(const PaintJob& job) const {
     const EffectSet effects = effect_set(required_effects(job.scene));
-    return takes_samples(effects) || interpolates_matter(effects) || searches_stars() ||
+    return takes_samples(effects) || interpolates_matter(effects) || searches_stars() || shows_streamlines(job.scene) ||
            (job.side_b != nullptr && side_b_ != nullptr && side_b_->drafts(*job.side_b));
 }
 
@@ -204,6 +205,10 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
         if (first || !renderer_.tables().effects().contains(Effect::kRefine))  // of pictures in motion
             picture_ms_ = times->draw_ms / (static_cast<double>(painting.width) * painting.height * samples * samples);
         painting.texture = drawn.colours.front().id();
+        if (!painting.coarse() && shows_streamlines(job.scene)) {
+            if (watch.give_up()) return std::nullopt;
+            lay_streamlines(renderer_, job.scene, drawn);
+        }
         if (job.scene.picture.ticks && is_polarised(job.scene) && !split_) painting.stokes = tick_stokes(job.scene);
     }
     add_facts(painting);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Labels and scale bars are over displayed pictures alone, and a JPEG holds what the PNG does."""
 import math
+import os
 import re
 import struct
 import sys
@@ -199,6 +200,22 @@ class Pictures(support.CliTest):
         self.assertIsNone(self.sphere("flat.png"))
         self.run_nullscope("capture", "0.png", "-o", "again.png")
         self.assertEqual((self.folder / "again.png").read_bytes(), (self.folder / "0.png").read_bytes())
+
+    def test_streamlines_are_over_displayed_pictures_that_are_not_plain(self):
+        text = self.run_nullscope("scenes", "m87-swirl").out.replace('scale_bar = "uas"\n', "").replace('dither = "on"\n', "").replace(
+            'ticks = "on"', 'streamlines = "on"')
+        self.write("on.toml", text), self.write("off.toml", text.replace('streamlines = "on"', 'streamlines = "off"'))
+        capture = ("capture", "--size", "160x90", "--quiet")
+        for arguments in (("off.toml", "-o", "off.png"), ("on.toml", "-o", "on.png"), ("on.toml", "--plain", "-o", "plain.png"),
+                          ("on.toml", "-o", "on.exr"), ("off.toml", "-o", "off.exr")):
+            self.run_nullscope(*capture, *arguments)
+        self.run_nullscope(*capture, "on.toml", "-o", "one.png", before=lambda: os.sched_setaffinity(0, list(os.sched_getaffinity(0))[:1]))
+        off, on, plain, one = (read_png(self.folder / name).data for name in ("off.png", "on.png", "plain.png", "one.png"))
+        self.assertEqual(plain, off)
+        self.assertEqual(one, on)
+        self.assertTrue(all(lined <= light for lined, light in zip(on, off)))   # they only darken
+        self.assertGreater(sum(lined < light - 30 for lined, light in zip(on, off)), len(off) / 50)
+        self.assertIn("max 0", self.run_nullscope("compare", "off.exr", "on.exr").out)   # linear light has none
 
     def test_half_floats_end_somewhere(self):
         """And a line says how many numbers are cut, unless it is quiet."""

@@ -55,6 +55,23 @@ def test_split_screens_have_a_line_and_labels(screen, program, folder):
     same(without.crop(0, 60, 630, 479), labelled.crop(0, 60, 630, 479), "below the labels")
 
 
+def test_polarised_light_is_shown(screen, program, folder):
+    shots = {}
+    for shown in ("off", "ticks", "streamlines"):
+        scene, path = folder / "polarised.toml", folder / "window.png"
+        scene.write_text('[camera]\nr = 25\ntheta = 60\nfov = 40\n[sky]\nkind = "black"\n[disc]\nemission = "thermal"\n'
+                         'polarisation = "synchrotron"\n[picture]\n' + ("" if shown == "off" else f'{shown} = "on"\n'))
+        done = run(program, scene, "--size", "960x540", "--screenshot", path, DISPLAY=screen.display)
+        assert done.returncode == 0, done.stderr
+        shots[shown] = read_png(path).crop(330, MENU, 960, 500)     # no panel lies here
+    plain = shots["off"].data
+    brighter = sum(a > b + 30 for a, b in zip(shots["ticks"].data, plain))
+    assert brighter > len(plain) / 1000, f"no ticks: {brighter} of {len(plain)} values are brighter"
+    darker = sum(a < b - 30 for a, b in zip(shots["streamlines"].data, plain))
+    assert darker > len(plain) / 100, f"no streamlines: {darker} of {len(plain)} values are darker"
+    assert all(a <= b for a, b in zip(shots["streamlines"].data, plain)), "streamlines make the picture brighter"
+
+
 def test_the_gallery_finds_and_opens(screen, program, folder):
     with Viewer(screen, program, "--gallery", *COARSE) as v:
         cards = v.settle()
@@ -1320,7 +1337,8 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_undo_in_a_search_that_was_left_does_not_touch_the_next,
+    CASES += [test_polarised_light_is_shown,
+              test_undo_in_a_search_that_was_left_does_not_touch_the_next,
               test_coarse_pictures_fill_the_window_and_are_clicked_on,
               test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer,
               test_the_editor_stays_where_it_is_and_escape_closes_a_picker_alone,
