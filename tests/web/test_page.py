@@ -20,6 +20,18 @@ NO_WEBGL = IN_PAGE + "HTMLCanvasElement.prototype.getContext = () => null;"
 WITHOUT = IN_PAGE + """
   const real = WebGL2RenderingContext.prototype.getExtension;
   WebGL2RenderingContext.prototype.getExtension = function (name) { return /%s/.test(name) ? null : real.call(this, name); };"""
+TICKED = """[camera]
+r = 30
+theta = 60
+fov = 40
+[sky]
+kind = "black"
+[disc]
+emission = "thermal"
+polarisation = "scattering"
+[picture]
+ticks = "on"
+"""
 DIGEST = """.then(async ({ width, height, pixels }) => [width, height,
   ...new Uint8Array(await crypto.subtle.digest("SHA-256", pixels))])"""
 
@@ -247,6 +259,45 @@ class Wide(unittest.TestCase):
     def test_png(self):
         size = self.page.run(f"{VIEW}.png().then((png) => createImageBitmap(png)).then((image) => [image.width, image.height])")
         self.assertEqual(size, self.page.run(f"[{VIEW}.clientWidth, {VIEW}.clientHeight]"))
+
+    def test_polarised_light(self):
+        """Ticks over the picture, along a polariser's axis behind one, in the PNG too; streamlines in the picture itself."""
+        page = self.page
+        page.run(f"{VIEW}.open({json.dumps(TICKED)})")
+        page.wait(f"{VIEW}.ticks?.lines.length > 0", 300)
+        page.run("document.querySelector('[data-section=picture]').open = true")
+        page.wait("document.querySelector(\"[data-key='picture.ticks']\").checkVisibility()")
+        slider = "document.querySelector(\"[data-key='picture.polariser'] input[type=range]\")"
+        self.assertEqual(page.run(f"[{slider}.value, {slider}.ariaValueText]"), ["0", "none"])
+        page.run(f"{VIEW}.set('picture.polariser', '30')")
+        axes = f"(({{ lines }}) => lines.filter((_, i) => i % 4 > 1))({VIEW}.ticks)"
+        page.wait(f"{VIEW}.ask('whole').then(() => Math.abs({axes}[1] / {axes}[0] - 0.57735) < 1e-3)")
+        ends = page.run(axes)
+        for right, up in zip(ends[::2], ends[1::2]):
+            self.assertAlmostEqual(up / right, 3 ** -0.5, delta=1e-3)
+        # A picture's pixel near the end of the first tick, or of its mirror image.
+        light = f"""(async (image, mirrored) => {{ const [x, y, right, up] = {VIEW}.ticks.lines, drawing = new OffscreenCanvas(800, 320).getContext("2d");
+            drawing.drawImage(await image, 0, 0);
+            return [...drawing.getImageData(Math.floor(x + 0.6 * right), Math.floor(y + (mirrored ? 0.6 : -0.6) * up), 1, 1).data]; }})"""
+        over = f"{VIEW}.shadowRoot.querySelector('[part=ticks]')"
+        self.assertGreater(min(page.run(f"{light}({over}, false)")), 200)
+        self.assertLess(page.run(f"{light}({over}, true)")[3], 100)
+        bare = f"{VIEW}.ask('picture').then(({{ width, height, pixels }}) => createImageBitmap(new ImageData(pixels, width, height)))"
+        self.assertLess(min(page.run(f"{light}({bare}, false)")), 120)
+        self.assertGreater(min(page.run(f"{light}({VIEW}.png().then(createImageBitmap), false)")), 160)
+        page.click("[data-key='picture.polariser'] input[type=number]")
+        page.run("document.activeElement.value = ''; document.activeElement.dispatchEvent(new Event('change'))")
+        page.wait(f"{VIEW}.ask('sceneLine').then((line) => !line.includes('polariser'))")
+        page.run(f"{VIEW}.set('picture.ticks', '\"off\"')")
+        page.wait(f"{VIEW}.ticks === null && {VIEW}.shadowRoot.querySelector('[part=ticks]').hidden")
+        lit = f"""{VIEW}.ask('picture').then(({{ pixels }}) => {{
+            window.before ??= pixels;
+            return pixels.reduce((sum, value, i) => sum + (i % 4 < 3 ? value : 0), 0);
+        }})"""
+        plain = page.run(lit)
+        page.run(f"{VIEW}.set('picture.streamlines', '\"on\"')")
+        self.assertLess(page.run(lit), 0.97 * plain)
+        self.assertTrue(page.run(f"{VIEW}.ask('picture').then(({{ pixels }}) => pixels.every((value, i) => value <= before[i]))"))
 
     def test_proof(self):
         page = self.page

@@ -70,12 +70,13 @@ NULLSCOPE_EXPORT(scene_as_text) bool scene_as_text() { return answer(scene_file_
 NULLSCOPE_EXPORT(scene_as_line) bool scene_as_line() { return answer(scene_line(session().scene)); }
 
 // One key gets another value, both as a scene file has them ("spacetime.spin", "0.9"). Checked like a file; camera and clock stay.
+// An empty value leaves the key out.
 NULLSCOPE_EXPORT(set_key)
 bool set_key(const char* name, std::size_t name_size, const char* value, std::size_t value_size) {
     const std::string key(name, name_size);
     const std::size_t dot = key.find('.');
     auto file = toml_of(scene_file_text(session().scene, folder()), "scene");
-    const auto given = toml_of(fmt::format("x = {}", std::string_view(value, value_size)), key);
+    const auto given = toml_of(value_size > 0 ? fmt::format("x = {}", std::string_view(value, value_size)) : "", key);
     if (!file) return answer(file.error());
     if (!given) return answer(given.error());
     toml::table* section = &*file;
@@ -85,7 +86,11 @@ bool set_key(const char* name, std::size_t name_size, const char* value, std::si
         section = file->get_as<toml::table>(title);
         if (section == nullptr) return answer(bad_input(key + ": there may be several of them"));
     }
-    section->insert_or_assign(key.substr(dot == std::string::npos ? 0 : dot + 1), *given->get("x"));
+    const std::string own = key.substr(dot == std::string::npos ? 0 : dot + 1);
+    if (value_size > 0)
+        section->insert_or_assign(own, *given->get("x"));
+    else
+        section->erase(own);
     std::ostringstream text;
     text << *file;
     auto scene = parse_scene(text.str(), "scene", folder());
@@ -95,8 +100,8 @@ bool set_key(const char* name, std::size_t name_size, const char* value, std::si
     return answer(std::string());
 }
 
-// The key table, with what the scene has: [{"name", "type", "unit", "value", "range", "choices", "help", "meant"}, ...];
-// meant: in this scene, which has its section.
+// The key table, with what the scene has: [{"name", "type", "unit", "value", "range", "choices", "help", "meant", "optional"}, ...];
+// meant: in this scene, which has its section; optional: without a default.
 NULLSCOPE_EXPORT(keys) bool keys() {
     const auto file = toml_of(scene_file_text(session().scene, folder()), "scene");
     if (!file) return answer(file.error());
@@ -112,10 +117,11 @@ NULLSCOPE_EXPORT(keys) bool keys() {
         const auto holder = holders.find(key.section);
         const bool meant = holder != holders.end() && (key.meant == nullptr || key.meant(holder->second));
         list.push_back(fmt::format(
-            R"({{"name": {}, "type": "{}", "unit": {}, "value": {}, "range": {}, "choices": {}, "help": {}, "meant": {}}})",
+            R"({{"name": {}, "type": "{}", "unit": {}, "value": {}, "range": {}, "choices": {}, "help": {}, "meant": {}, "optional": {}}})",
             in_json(name), kTypes[static_cast<int>(key.type)], in_json(key.unit),
             in_json(value_of(*file, name, key.fallback)), range_json(key.range),
-            words_json(key.type == KeyType::kChoice ? key.choices : ""), in_json(key.help), meant));
+            words_json(key.type == KeyType::kChoice ? key.choices : ""), in_json(key.help), meant,
+            key.fallback.empty()));
     }
     return answer(fmt::format("[{}]", fmt::join(list, ",\n")));
 }

@@ -1,20 +1,24 @@
 // The picture, by the renderer that window and files have. Needs the page's WebGL2 context.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "annotate/ticks.h"
 #include "base/assets.h"
 #include "core/exports.h"
 #include "core/session.h"
 #include "gl/gl.h"
 #include "platform/filters.h"
+#include "render/picture_layers.h"
 #include "render/renderer.h"
 #include "scene/picture_size.h"
 #include "scene/split.h"
 #include "shaderlib/frontier.h"
+#include "viewer/streamline_layer.h"
 
 namespace nullscope::web {
 namespace {
@@ -22,6 +26,7 @@ namespace {
 std::unique_ptr<Renderer> renderer, right;  // of a split screen's right half, where there is one
 std::optional<Halves> split;                // that is prepared
 std::array<gl::Target, 2> drawn;            // of its halves
+gl::Target under_lines;                     // of a picture with streamlines
 RayFrame rays;
 
 bool float_targets = true;
@@ -56,10 +61,13 @@ Status prepare(const Scene& scene) {
     return prepare_by(*right, split->right);
 }
 
+gl::Target& sized(gl::Target& target, int width, int height) {
+    if (target.width != width || target.height != height) target = gl::make_target(width, height, gl::Format::kRgba8);
+    return target;
+}
+
 void draw_half(Renderer& by, gl::Target& target, const CameraSpec& camera, int x) {
-    if (target.width != camera.width || target.height != camera.height)
-        target = gl::make_target(camera.width, camera.height, gl::Format::kRgba8);
-    by.draw(target.framebuffer.id(), camera.width, camera.height, Output::kDisplay);
+    by.draw(sized(target, camera.width, camera.height).framebuffer.id(), camera.width, camera.height, Output::kDisplay);
     gl::blit(target.colours.front().id(), camera.width, camera.height, 0, camera.width, camera.height, x);
 }
 
@@ -74,10 +82,11 @@ NULLSCOPE_EXPORT(start_view) void start_view(bool floats, bool filtered) {
     renderer = make_renderer();
     right.reset();
     drawn = {};
+    under_lines = {};
 }
 
 // Draws to the canvas. adaptation: of automatic exposure (Renderer::set_adaptation). quick: edges get no more rays than the rest, in programs
-// that compile in a sixth of the time. false: the answer says why not; files that are missing are named by missed_files().
+// that compile in a sixth of the time, and there are no streamlines. false: the answer says why not; files that are missing are named by missed_files().
 NULLSCOPE_EXPORT(draw) bool draw(int width, int height, double adaptation, bool quick) {
     Scene scene = shown(width, height);
     if (quick) scene.picture.refine = false;
@@ -87,11 +96,31 @@ NULLSCOPE_EXPORT(draw) bool draw(int width, int height, double adaptation, bool 
         right->set_adaptation(adaptation);
         draw_half(*renderer, drawn[0], split->left.camera, 0);
         draw_half(*right, drawn[1], split->right.camera, split->left.camera.width);
+    } else if (!quick && float_targets && viewer::shows_streamlines(scene)) {
+        const gl::Target& picture = sized(under_lines, width, height);
+        renderer->draw(picture.framebuffer.id(), width, height, Output::kDisplay);
+        viewer::lay_streamlines(*renderer, scene, picture);
+        gl::blit(picture.colours.front().id(), width, height, 0, width, height);
     } else {
         renderer->draw(0, width, height, Output::kDisplay);
     }
     gl::check("picture");
     return answer(std::string());
+}
+// Ticks over the scene's picture in this size (annotate/ticks.h), px: {"thick", "lines": [x, y, right, up, ...]} as the answer, or null
+// where there are none: none are asked for, in split screens, and where light cannot be read back. Draws their light.
+NULLSCOPE_EXPORT(ticks) bool ticks(int width, int height) {
+    Scene scene = session().scene;
+    scene.path.reset();
+    if (!scene.picture.ticks || !is_polarised(scene) || scene.split || !float_targets) return answer("null");
+    set_size(scene, width, height);
+    if (const Status ready = prepare_by(*renderer, tick_scene(scene, width, height)); !ready)
+        return answer(ready.error());
+    std::vector<double> lines;
+    for (const Tick& tick : ticks_of(draw_stokes(*renderer), width, height))
+        lines.insert(lines.end(), {tick.x, tick.y, tick.right, tick.up});
+    return answer(
+        fmt::format(R"({{"thick": {:.4g}, "lines": [{:.6g}]}})", tick_thickness(width, height), fmt::join(lines, ",")));
 }
 // Compiles one program of those that make the next picture faster; whether one was left.
 NULLSCOPE_EXPORT(build_next) bool build_next() {

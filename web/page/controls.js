@@ -10,7 +10,7 @@ const FIRST = {
   sky: ["kind", "brightness", "yaw", "tilt"],
   far_sky: ["kind", "brightness"],
   light: ["lensing", "aberration", "doppler", "gravity", "beaming", "delay"],
-  picture: ["bloom", "tone", "auto_exposure"],
+  picture: ["bloom", "tone", "auto_exposure", "ticks", "streamlines", "polariser"],
 };
 const ORDER = ["camera", "disc", "spot", "sphere", "cylinder", "sky", "far_sky", "light", "picture"];
 const OPEN = ["spacetime", "camera"];
@@ -19,7 +19,7 @@ const OPTIONAL = ["disc"];  // sections that a scene may do without
 const SPANS = {
   "camera.exposure": [-6, 6], "camera.fov": [10, 150], "disc.brightness": [0, 10], "disc.inner": [0, 20], "disc.outer": [0, 60],
   "sky.brightness": [0, 4], "far_sky.brightness": [0, 4], "disc.temperature": [1000, 100000], "sky.temperature": [1000, 100000],
-  "spot.r": [1.5, 20], "spot.size": [0.05, 2], "spot.brightness": [0, 10], "spot.temperature": [1000, 100000],
+  "picture.polariser": [0, 180], "spot.r": [1.5, 20], "spot.size": [0.05, 2], "spot.brightness": [0, 10], "spot.temperature": [1000, 100000],
 };
 const WORDS = {
   fov: "Field of view", r: "Distance r", yaw: "Turn", pitch: "Tilt up", "sky.yaw": "Turn", "far_sky.yaw": "Turn", u: "u", v: "v",
@@ -32,7 +32,7 @@ const WORDS = {
 };
 const AXES = ["outward", "southward", "eastward"];
 const NOT_HERE = new Set(["camera.size", "camera.plane_width", "camera.focal_distance", "camera.stereo", "camera.eye_distance",
-  "camera.pixel_aspect", "sky.catalogue", "picture.scale_bar", "picture.ticks", "picture.shutter", "picture.sub_frames"]);
+  "camera.pixel_aspect", "sky.catalogue", "picture.scale_bar", "picture.shutter", "picture.sub_frames"]);
 const TYPES = new Set(["number", "whole", "choice", "velocity", "colour", "formula"]);
 
 export const words = (name, full = name) =>
@@ -92,15 +92,17 @@ function number(name, key, give) {
     shown(Number(text));
     give(text);
   });
-  field.addEventListener("change", () => field.value !== "" && give(String(Number(field.value))));
+  // Emptied, an optional key is left out again.
+  field.addEventListener("change", () => field.value !== "" ? give(String(Number(field.value))) : key.optional && give(""));
   return {
     element: row(name, key.help, key.unit, field, ...(slides ? [slider] : [])),
     show(value) {
       const now = Number(value);
       field.value = value === "" ? "" : fixed(now);
-      if (value === "" || !slides) return;
-      slider.value = place(now);
-      shown(now);
+      if (!slides) return;
+      slider.value = value === "" ? 0 : place(now);
+      if (value === "") slider.style.setProperty("--at", 0), slider.setAttribute("aria-valuetext", "none");
+      else shown(now);
     },
   };
 }

@@ -13,7 +13,8 @@ const SHIPPED = "/assets/";    // paths of files that ship, as core.wasm names t
 const LOST = "the graphics device is gone for a moment";
 
 export class Engine {
-  // say(event, values): "drawn", "rest" (the picture has all its pixels and rays, and nothing moves), "lost", "restored", "failed"
+  // say(event, values): "drawn", "ticks" (to be drawn over it, or null: none any more), "rest" (the picture has all its pixels and rays, and nothing
+  // moves), "lost", "restored", "failed"
   constructor(say) {
     this.say = say;
     this.hand = { right: 0, up: 0, backward: 0, roll: 0 };
@@ -267,11 +268,20 @@ export class Engine {
     this.drawn = { width, height, quick };
     if (this.everDrawn && scale === this.scale && ms > SLOW_MS) this.scale = Math.max(LEAST_SCALE, this.scale / Math.SQRT2);
     if (this.everDrawn && scale === this.scale && ms < FAST_MS) this.scale = Math.min(1, this.scale * Math.SQRT2);
-    if (!this.everDrawn) this.touched = -Infinity;  // the whole picture follows at once
+    const first = !this.everDrawn;
+    if (first) this.touched = -Infinity;  // the whole picture follows at once
     this.everDrawn = true;
     const place = [0, 1, 2, 3, 4].map((which) => this.core.exports.place(which));
     this.say("drawn", { width, height, ms, place, falls: Boolean(this.core.exports.falls()) });
+    if (!first || !quick) this.#ticks();  // the first picture does not wait for their program
     for (const { done } of this.waiting.splice(0)) done();
+  }
+  // Of the canvas's size, in motion too.
+  #ticks() {
+    const { width, height } = this.size, had = this.ticks;
+    if (!this.core.call("ticks", width, height)) throw new Failure(this.core.answer());
+    this.ticks = JSON.parse(this.core.answer());
+    if (this.ticks || had) this.say("ticks", this.ticks && { width, height, ...this.ticks });
   }
   // The next picture with all its pixels, as RGBA from the top.
   async picture() {

@@ -1,6 +1,6 @@
 // <nullscope-view scene="kerr">: a picture that the user moves, without controls. scene: the name of a scene that ships, a scene file's text, or its
 // line, scene = { ... }. Events: "drawn", "rest" (the picture is whole and nothing moves), "scene" (another one, or changed), "hand" (somebody
-// moves the camera), "lost", "restored", "failed"; values are in event.detail. Children lie over the picture.
+// moves the camera), "ticks" (of polarised light, over the picture), "lost", "restored", "failed"; values are in event.detail. Children lie over the picture.
 
 import { lineOf, partsOf } from "./line.js";
 
@@ -21,11 +21,12 @@ const STYLE = `
   :host(:not([hidden])) { aspect-ratio: 16 / 9; }
   canvas { position: absolute; inset: 0; width: 100%; height: 100%; touch-action: none; cursor: grab; display: block; }
   canvas:active { cursor: grabbing; }
+  canvas + canvas { pointer-events: none; }
   :host(:focus-visible) canvas { outline: 1px solid #ffb65cb0; outline-offset: -1px; }
   p { position: absolute; left: 50%; top: 50%; transform: translate(-50%, -50%); margin: 0; max-width: min(34em, 84%); box-sizing: border-box;
       padding: .8em 1.1em; border-radius: 10px; background: #0c0e13e6; color: #e9ebf0; font: 15px/1.45 system-ui, sans-serif; text-align: center;
       overflow-wrap: anywhere; }
-  p[hidden] { display: none; }
+  [hidden] { display: none; }
 `;
 
 // Where the engine runs: calls with answers, and calls without. Both have the same two methods.
@@ -85,7 +86,7 @@ export class NullscopeView extends HTMLElement {
   constructor() {
     super();
     this.attachShadow({ mode: "open" }).innerHTML =
-      `<style>${STYLE}</style><canvas part="picture"></canvas><slot></slot><p part="message" role="status" hidden></p>`;
+      `<style>${STYLE}</style><canvas part="picture"></canvas><canvas part="ticks" hidden></canvas><slot></slot><p part="message" role="status" hidden></p>`;
     this.message = this.shadowRoot.querySelector("p");
     this.held = new Set();       // keys
     this.fingers = new Map();    // by pointer: where it is, canvas px
@@ -155,7 +156,9 @@ export class NullscopeView extends HTMLElement {
   async png() {
     const { width, height, pixels } = await this.ask("picture");
     const canvas = Object.assign(document.createElement("canvas"), { width, height });
-    canvas.getContext("2d").putImageData(new ImageData(pixels, width, height), 0, 0);
+    const drawing = canvas.getContext("2d");
+    drawing.putImageData(new ImageData(pixels, width, height), 0, 0);
+    if (this.ticks) drawTicks(drawing, this.ticks);
     return new Promise((done) => canvas.toBlob(done, "image/png"));
   }
 
@@ -211,12 +214,23 @@ export class NullscopeView extends HTMLElement {
       this.drawn = values;
       this.message.hidden = true;
     }
+    if (event === "ticks") this.#showTicks(values);
+    if (event === "failed" || event === "lost") this.#showTicks(null);
     if (event === "lost") this.#say("The graphics device is gone for a moment. The picture comes back by itself.");
     if (event === "failed") this.#say(plain(values.message));
     this.#event(event, values);
   }
   #event(name, detail) {
     this.dispatchEvent(new CustomEvent(name, { detail }));
+  }
+  #showTicks(ticks) {
+    const over = this.shadowRoot.querySelector("[part=ticks]");
+    this.ticks = ticks;
+    over.hidden = !ticks;
+    if (!ticks) return;
+    over.width = ticks.width;   // which clears it
+    over.height = ticks.height;
+    drawTicks(over.getContext("2d"), ticks);
   }
   #say(text) {
     this.message.textContent = text;
@@ -339,6 +353,22 @@ export class NullscopeView extends HTMLElement {
     const hand = { right: 0, up: 0, backward: 0, roll: 0 };
     for (const code of this.held) hand[FLIGHT[code][0]] += FLIGHT[code][1];
     this.#tell("fly", hand);
+  }
+}
+
+// As src/viewer/tick_lines.cpp draws them.
+function drawTicks(drawing, { thick, lines }) {
+  drawing.beginPath();
+  for (let i = 0; i < lines.length; i += 4) {
+    const [x, y, right, up] = lines.slice(i, i + 4);
+    drawing.moveTo(x - right, y + up);
+    drawing.lineTo(x + right, y - up);
+  }
+  drawing.lineCap = "round";
+  for (const [width, colour] of [[2.2 * thick, "#00000096"], [thick, "#f5f5f5"]]) {
+    drawing.lineWidth = width;
+    drawing.strokeStyle = colour;
+    drawing.stroke();
   }
 }
 
