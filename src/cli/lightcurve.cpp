@@ -9,11 +9,11 @@
 
 #include "base/progress.h"
 #include "cli/command.h"
-#include "cli/flux.h"
 #include "cli/table_file.h"
 #include "command/arguments.h"
 #include "command/capture_picture.h"
 #include "command/curve_plot.h"
+#include "command/flux.h"
 #include "command/loop_plot.h"
 #include "command/session.h"
 #include "compare/stokes_loop.h"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/fits_header.h"
-#include "cli/flux.h"
+#include "command/fits_header.h"
+#include "command/flux.h"
 #include "compare/ray_channels.h"
 #include "image/channels.h"
 #include "image/half_float.h"

@@ -14,7 +14,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 TYPE = re.compile(r"(?:struct|class|enum class|enum|using) (\w+)\b(?!.*\);)")
-ALONE = {"core32.cpp", "core64.cpp"}   # compiled with options of their own: the same text in two precisions
+ALONE = {"core32.cpp", "core64.cpp", "stokes_transfer.cpp"}   # compiled with options of their own: shader text in a precision
 VALUE = re.compile(r"[A-Za-z][\w:<>,&*\[\] ]*[ &*](\w+)(\(.*|\{| =|\[|;)")
 ALIAS = re.compile(r"namespace \w+ =|using namespace|using \w+::")   # the same in each file
 

@@ -14,7 +14,7 @@
 
 #include "base/atomic_file.h"
 #include "base/text.h"
-#include "cli/fits_header.h"
+#include "command/fits_header.h"
 #include "image/image_file.h"
 #include "scene/projection.h"
 #include "scene/scene.h"

@@ -1,4 +1,4 @@
-#include "cli/flux.h"
+#include "command/flux.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cli/fits_header.h"
+#include "command/fits_header.h"
 
 #include <fmt/format.h>
 
@@ -22,13 +22,13 @@ constexpr double kDegree = 180.0 / M_PI;
 constexpr double kMicroarcsecond_deg = 1e-6 / 3600.0;
 
 // A plane that touches the sphere in `at`, px from the upper left corner.
-struct Plane {
+struct SkyPlane {
     std::array<std::string, 2> types;
     std::string is;
     std::array<double, 2> at, value_deg, step_deg;
 };
 
-void add_plane(const Plane& plane, int height, FitsHeader& header) {
+void add_plane(const SkyPlane& plane, int height, FitsHeader& header) {
     // Pixels are counted from 1, from the lower left one's middle.
     const std::array<double, 2> pixel = {plane.at[0] + 0.5, height - plane.at[1] + 0.5};
     for (std::size_t axis = 0; axis < 2; ++axis) {
