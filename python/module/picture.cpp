@@ -6,9 +6,12 @@
 #include <nanobind/stl/string.h>
 
 #include <optional>
+#include <variant>
 
 #include "base/assets.h"
 #include "command/arguments.h"
+#include "command/fits_header.h"
+#include "command/flux.h"
 #include "command/session.h"
 #include "command/shot.h"
 #include "command/stereo_capture.h"
@@ -111,13 +114,13 @@ auto image_array(Image<T>& image) {
     return array_of(std::move(image.data), {height, width, static_cast<std::size_t>(image.channels)});
 }
 
-// Light; Stokes parameters and the net fraction, the resolved one and beta_2, each None where there are none.
-nb::tuple capture(const Scene& scene, const Asked& asked, const nb::object& progress) {
-    CameraSpec camera;
-    auto captured = run(progress, [&](Watch& watch) -> Result<cli::Captured> {
+// in_bands: as a large picture is drawn, which then has no Stokes parameters. camera: becomes the picture's.
+cli::Captured captured(const Scene& scene, const Asked& asked, const nb::object& progress, bool in_bands,
+                       CameraSpec& camera) {
+    return run(progress, [&](Watch& watch) -> Result<cli::Captured> {
         cli::DrawOptions options;
         options.listener = watch.listener();
-        options.in_bands = options.stokes = true;
+        options.in_bands = in_bands, options.stokes = true;
         if (asked.renderer == "reference") options.samples = asked.samples;
         TRY(shot, shot_of(scene, asked, options.listener));
         TRY(stereo, cli::check_stereo(shot->scene, options, false));
@@ -131,10 +134,16 @@ nb::tuple capture(const Scene& scene, const Asked& asked, const nb::object& prog
             return cli::draw_shot(*shot, session, shown, options, false);
         });
     });
-    if (captured.stokes.empty()) return nb::make_tuple(image_array(captured.linear), nb::none(), nb::none());
+}
+
+// Light; Stokes parameters and the net fraction, the resolved one and beta_2, each None where there are none.
+nb::tuple capture(const Scene& scene, const Asked& asked, const nb::object& progress) {
+    CameraSpec camera;
+    cli::Captured drawn = captured(scene, asked, progress, true, camera);
+    if (drawn.stokes.empty()) return nb::make_tuple(image_array(drawn.linear), nb::none(), nb::none());
     const auto [x, y] = line_of_sight(camera);
-    const StokesMeasures found = stokes_measures(captured.stokes, x, y);
-    return nb::make_tuple(image_array(captured.linear), image_array(captured.stokes),
+    const StokesMeasures found = stokes_measures(drawn.stokes, x, y);
+    return nb::make_tuple(image_array(drawn.linear), image_array(drawn.stokes),
                           nb::make_tuple(found.net, found.resolved, found.beta_2));
 }
 
@@ -216,15 +225,57 @@ std::string packet_of(const cli::Shot& shot, int frame, const Linear& light) {
     return whole && !shot.scene.split ? photo_sphere_packet(camera) : "";
 }
 
+nb::dict on_sky(const Scene& scene, const Asked& asked) {
+    const cli::Shot shot = value_of(shown_shot(scene, asked));
+    const Scene now = cli::scene_at(shot, 0.0, asked.frame.value_or(0));
+    const bool several = shot.scene.split || now.camera.stereo != Stereo::kOff;
+    FitsHeader header;
+    cli::add_coordinates(now, several, header);
+    cli::add_scene(now, header);
+    header.cards.push_back({"WIDTH", static_cast<long long>(now.camera.width), ""});
+    header.cards.push_back({"HEIGHT", static_cast<long long>(now.camera.height), ""});
+    if (const auto flux = cli::flux_unit(now, several)) {
+        header.cards.push_back({"FREQ", 1e9 * flux->frequency_GHz, ""});
+        header.cards.push_back({"JANSKY", flux->jansky, ""});
+        header.cards.push_back({"CHANNEL", static_cast<long long>(flux->channel), ""});
+    }
+    nb::dict cards;
+    for (const FitsCard& card : header.cards)
+        cards[card.keyword.c_str()] = std::visit([](const auto& value) { return nb::cast(value); }, card.value);
+    return cards;
+}
+
 }  // namespace
 
 void forget_session() { kept().reset(); }
 
+namespace {
+
+void add_astronomy(nb::module_& m) {
+    m.def(
+        "stokes",
+        [](const Scene& scene, const nb::dict& options, const nb::object& progress) {
+            CameraSpec camera;
+            return image_array(captured(scene, asked_of(options), progress, false, camera).stokes);
+        },
+        nb::arg("scene"), nb::arg("options"), nb::arg("progress").none(),
+        "I, Q, U, V as in an EXR, shape (height, width, 4); (0, 0, 0) where light is not polarised.");
+    m.def(
+        "on_sky", [](const Scene& scene, const nb::dict& options) { return on_sky(scene, asked_of(options)); },
+        nb::arg("scene"), nb::arg("options"),
+        "Keywords of the picture's FITS file, of coordinates and scene; WIDTH and HEIGHT; of a flux FREQ, and JANSKY, "
+        "Jy a pixel of light 1 "
+        "in the plane CHANNEL.");
+}
+
+}  // namespace
+
 void add_picture(nb::module_& m) {
+    add_astronomy(m);
     m.def(
         "capture",
         [](const Scene& scene, const nb::dict& options, const nb::object& progress) {
-            return capture(scene, asked_of(options), progress);
+            return picture_array(captured(scene, asked_of(options), progress, false).linear);
         },
         nb::arg("scene"), nb::arg("options"), nb::arg("progress").none());
     m.def(

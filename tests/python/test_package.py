@@ -9,7 +9,9 @@ import sys
 import tempfile
 import threading
 import time
+import types
 import unittest
+import unittest.mock
 import warnings
 from pathlib import Path
 
@@ -119,6 +121,40 @@ class Pictures(Test):
         file.write_bytes(b"\x89PNG\r\n\x1a\n")
         with self.assertRaisesRegex(ns.Error, "drawn.png.*cut off"):
             ns.scene(file)
+
+    def test_ehtim_gets_what_is_in_the_fits_file(self):
+        """ehtim itself, which is not light: scripts/interop.sh ehtim. Here a class in its place."""
+        class Image:
+            def __init__(self, light, psize, ra, dec, **more):
+                self.planes, self.numbers, self.more = [light], (psize, ra, dec), more
+
+            def add_qu(self, q, u):
+                self.planes += [q, u]
+
+            def add_v(self, v):
+                self.planes.append(v)
+        absent = unittest.mock.patch.dict(sys.modules, {"ehtim": None, "ehtim.image": None})
+        with absent, self.assertRaisesRegex(ns.Error, "to_ehtim needs the package ehtim \\(pip install ehtim\\)"):
+            ns.to_ehtim(ns.capture("m87", (32, 24)))
+        place = types.ModuleType("ehtim.image")
+        place.Image = Image
+        with unittest.mock.patch.dict(sys.modules, {"ehtim": types.ModuleType("ehtim"), "ehtim.image": place}):
+            sys.modules["ehtim"].image = place
+            for scene, channels in (("m87-swirl", 4), ("m87", 1)):
+                picture = ns.capture(scene, (32, 24))
+                image = ns.to_ehtim(picture, mjd=57850, ra=12.5)
+                self.assertEqual((len(image.planes), image.more["mjd"], image.more["rf"], image.numbers[1]), (channels, 57850, 230e9, 12.5))
+                exr = self.exr(scene, "--size", "32x24", *(["--layers"] if channels == 4 else []))
+                if channels == 4:
+                    for plane, name, sign in zip(image.planes, "IQUV", (1, -1, -1, 1)):
+                        self.assertTrue(np.array_equal(plane, sign * exr["stokes." + name].astype(float)), name)
+                else:
+                    np.testing.assert_allclose(image.planes[0], 0.2126 * exr["R"] + 0.7152 * exr["G"] + 0.0722 * exr["B"], rtol=1e-6)
+            self.assertAlmostEqual(ns.to_ehtim(picture, flux=2.5).planes[0].sum(), 2.5, delta=1e-12)
+            for call in (lambda: ns.to_ehtim(picture[1:]), lambda: ns.to_ehtim(np.zeros((24, 32, 3))), lambda: ns.to_ehtim(picture, dec=91),
+                         lambda: ns.to_ehtim(picture, flux=True), lambda: ns.to_ehtim(ns.capture("kerr", (32, 24)))):
+                with self.assertRaisesRegex(ns.Error, "; allowed: "):
+                    call()
 
     def test_a_png_says_which_part_of_the_sphere_it_is(self):
         """As the command line's does, of the size and frame that were drawn; not of an array of another size, nor of both eyes."""
