@@ -6,7 +6,7 @@
 #                                    checks: what CI runs. tests/turn.py says which, by the number in .ci/turn; four turns in a row are --all
 #   scripts/test.sh --all            the same promises on every case and driver, the page, the Python package, scripts/check.sh
 #   scripts/test.sh CTEST OPTION...  single tests of the quick depth:
-#       -L unit          those of one label (unit, contract, layering, recipes, gpu, golden, proof, cli, fuzz, viewer, web, python)
+#       -L unit          those of one label (unit, contract, layering, recipes, gpu, golden, proof, cli, fuzz, viewer, web, python, interop)
 #       -R photon -V     those whose name matches, with all their output
 #
 # The first three begin with what takes seconds (format, layering, clang-tidy on changed files) and stop there if it fails. They end
@@ -30,7 +30,7 @@ targets_of() {
         viewer) echo viewer_tests nullscope-viewer ;;
         web) echo nullscope native_answers ;;   # and the page: scripts/web.sh
         fuzz) echo fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_film fuzz_texts fuzz_rays fuzz_words fuzz_formula fuzz_warp fuzz_medium ;;
-        layering | recipes | python) echo nullscope ;;   # so that the build folder exists
+        layering | recipes | python | interop) echo nullscope ;;   # so that the build folder exists
         *) echo all ;;
     esac
 }

@@ -1,0 +1,94 @@
+"""ehtim: FITS files, and nullscope.to_ehtim, which is the same image without a file. The environment has the package nullscope too."""
+import contextlib
+import importlib.metadata
+import io
+import math
+import re
+import sys
+
+import numpy as np
+
+import nullscope as ns
+import support
+
+with contextlib.redirect_stdout(io.StringIO()):   # its greeting
+    import ehtim
+
+PROGRAM = f"ehtim {importlib.metadata.version('ehtim')}"
+SIZE = 96, 72   # not square: rows and columns cannot be mistaken for each other
+
+
+def loaded(scene, folder):
+    """(ehtim's image of the FITS file, what capture said)."""
+    said = support.nullscope("capture", scene, "--size", "%dx%d" % SIZE, "-o", scene + ".fits", folder=folder)
+    with contextlib.redirect_stdout(io.StringIO()):
+        return ehtim.image.load_fits(str(folder / (scene + ".fits"))), said
+
+
+def both_ways(report, folder):
+    for scene in ("m87", "m87-swirl", "sgr-a-synchrotron"):
+        file, said = loaded(scene, folder)
+        image = ns.to_ehtim(ns.capture(scene, SIZE))
+        for plane in ("ivec", "qvec", "uvec", "vvec"):
+            here, there = getattr(image, plane), getattr(file, plane)
+            if len(here) + len(there):
+                off = np.abs(here - there).max() / np.abs(file.ivec).max() if len(here) == len(there) else math.inf
+                report.add(f"{scene}: {plane} against load_fits, of the brightest pixel", off, 1e-6)
+        numbers = {name: (getattr(image, name), getattr(file, name)) for name in ("psize", "ra", "dec", "xdim", "ydim")}
+        numbers["rf"] = (image.rf, file.rf if scene == "sgr-a-synchrotron" else 230e9)   # load_fits has 0 or 1 where the file has none
+        report.add(f"{scene}: psize, ra, dec, rf, xdim, ydim against load_fits", max(abs(a - b) / max(abs(b), 1e-300) for a, b in numbers.values()), 1e-12)
+        report.add(f"{scene}: another source", int(image.source != file.source), 0)
+        if scene == "sgr-a-synchrotron":
+            flux = float(re.search(r"([\d.]+) Jy at", said)[1])
+            report.add(f"{scene}: total flux {image.total_flux():.5g} Jy against what capture prints", abs(image.total_flux() / flux - 1), 1e-4)
+        if scene == "m87-swirl":
+            net = float(re.search(r"polarised ([\d.e-]+) % net", said)[1]) / 100
+            report.add(f"{scene}: net linear fraction {image.lin_polfrac():.5g} against what capture prints", abs(image.lin_polfrac() / net - 1), 6e-3)
+
+
+def asked(report, folder):
+    image = ns.to_ehtim(ns.capture("m87", SIZE), ra=17.7611, dec=-29.0078, frequency=345e9, mjd=57850, flux=2.5, source="SgrA")
+    found = (image.ra, image.dec, image.rf, image.mjd, image.source)
+    report.add("ra, dec, frequency, mjd, source are not as asked", int(found != (17.7611, -29.0078, 345e9, 57850, "SgrA")), 0)
+    report.add("flux of 2.5 Jy", abs(image.total_flux() / 2.5 - 1), 1e-12)
+
+
+def point(report, folder):
+    """One bright pixel, north-east of the middle: the visibility of a point there."""
+    picture = ns.capture("m87", SIZE)
+    picture[:] = 0
+    row, column = 20, 31
+    picture[row, column] = 1
+    image = ns.to_ehtim(picture)
+    east, north = (SIZE[0] / 2 - column - 0.5) * image.psize, (SIZE[1] / 2 - row - 0.5) * image.psize
+    places = np.array([[0.11, 0.0], [0.0, 0.13], [0.07, -0.05]]) / (SIZE[0] * image.psize)
+    seen = image.sample_uv(places, ttype="direct", verbose=False)
+    seen = np.asarray(seen[0] if isinstance(seen, (list, tuple)) else seen).ravel()
+    meant = 2 * np.pi * (places @ [east, north])   # ehtim's sign, with x to the east and y to the north
+    report.add("phase of a point in the north-east", float(np.abs(np.angle(seen * np.exp(-1j * meant))).max()), 1e-9, "rad ")
+
+
+def wrong_is_said(report, folder):
+    calls = {"no picture": lambda: ns.to_ehtim(np.zeros((3, 3, 3))), "no scale": lambda: ns.to_ehtim(ns.capture("kerr", (32, 18))),
+             "a part": lambda: ns.to_ehtim(ns.capture("m87", SIZE)[3:]), "changed": lambda: ns.to_ehtim(ns.capture("m87-swirl", SIZE) ** 2),
+             "ra": lambda: ns.to_ehtim(ns.capture("m87", SIZE), ra=25.0), "mjd": lambda: ns.to_ehtim(ns.capture("m87", SIZE), mjd=math.nan)}
+    unsaid = 0
+    for call in calls.values():
+        try:
+            call()
+            unsaid += 1
+        except ns.Error as error:
+            unsaid += "allowed: " not in str(error)
+    report.add(f"errors without what is allowed, of {len(calls)}", unsaid, 0)
+    sys.modules["ehtim.image"], kept = None, sys.modules["ehtim.image"]
+    try:
+        ns.to_ehtim(ns.capture("m87", SIZE))
+        said = ""
+    except ns.Error as error:
+        said = str(error)
+    sys.modules["ehtim.image"] = kept
+    report.add("ehtim missing: not said", int("pip install ehtim" not in said), 0)
+
+
+if __name__ == "__main__":
+    support.main(PROGRAM, both_ways, asked, point, wrong_is_said)
