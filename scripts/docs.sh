@@ -21,7 +21,7 @@ rm -rf "$pages"
 mkdir -p "$pages"
 cp -r "$root/docs/." "$pages"
 cp "$root/CONTRIBUTING.md" "$root/CHANGELOG.md" "$root/CITATION.cff" "$root/third_party/versions.md" "$pages"
-cp -r "$root/assets/gallery" "$root/scripts/farm" "$root/python/examples" "$pages"
+cp -r "$root/assets/gallery" "$root/scripts/farm" "$root/scripts/blender" "$root/python/examples" "$pages"
 # Links between the repository's folders, which are one folder here.
 find "$pages" -name '*.md' -exec sed -i -e 's,\(\](\|src="\)\.\./assets/,\1,' -e 's,](\.\./\(scripts\|python\)/,](,g' \
     -e 's,](\.\./\([A-Z][A-Z]*\.\),](\1,g' -e 's,](docs/,](,g' {} +
