@@ -275,7 +275,7 @@ void add_picture(nb::module_& m) {
     m.def(
         "capture",
         [](const Scene& scene, const nb::dict& options, const nb::object& progress) {
-            return picture_array(captured(scene, asked_of(options), progress, false).linear);
+            return capture(scene, asked_of(options), progress);
         },
         nb::arg("scene"), nb::arg("options"), nb::arg("progress").none());
     m.def(
