@@ -118,7 +118,7 @@ void add_compare(Command& parent) {
     auto [command, options] = add_command<CompareOptions>(
         parent, "compare", "Compare two pictures, or the ray data of two frames; B is taken as exact", run_compare);
     required_option(command, "a", options.a,
-                    "PNG, JPEG, HDR or EXR; or an EXR with ray data (nullscope capture --raydata)");
+                    "An image that scenes read too; or an EXR with ray data (nullscope capture --raydata)");
     required_option(command, "b", options.b, "The exact picture or ray data, in the same kind of file");
     command.add_option("--heatmap", &options.heat_map,
                        "PNG to write: the difference at each pixel as a colour, with a legend");

@@ -81,6 +81,16 @@ bool is_hdr(std::string_view bytes);
 // bytes: a whole file. Errors: cut off, damaged, columns before rows, another colour format, larger than max_pixels.
 Result<WholePicture> decode_hdr(std::string_view bytes, long long max_pixels);
 
+// TGA, BMP and PSD (its merged picture); 3 channels, or 4 with alpha. TGA has no mark: what no other reader takes is one if its head is sound.
+bool is_by_stb(std::string_view bytes);
+// Errors: cut off, damaged, a kind that stb_image does not know, larger than max_pixels.
+Result<WholePicture> decode_stb(std::string_view bytes, long long max_pixels);
+
+// PGM and PPM as bytes (P5 and P6); 3 channels.
+bool is_pnm(std::string_view bytes);
+// bytes: is_pnm. Errors: cut off, damaged, larger than max_pixels.
+Result<WholePicture> decode_pnm(std::string_view bytes, long long max_pixels);
+
 // TIFF and BigTIFF, the first page; 3 channels, or 4 with alpha.
 bool is_tiff(std::string_view bytes);
 // Errors: cut off, damaged, a kind of numbers or colours that libtiff does not convert, larger than max_pixels.

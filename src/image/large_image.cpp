@@ -32,6 +32,14 @@ OpenRows rows_of(int first_byte) {
     return first_byte == 0x89 ? open_png_rows : first_byte == 0xff ? open_jpeg_rows : nullptr;
 }
 
+// Of files that are held whole; the first that takes one reads it.
+struct WholeReader {
+    bool (*is)(std::string_view bytes);
+    Result<WholePicture> (*decode)(std::string_view bytes, long long max_pixels);
+};
+constexpr WholeReader kWholeReaders[] = {
+    {is_hdr, decode_hdr}, {is_tiff, decode_tiff}, {is_pnm, decode_pnm}, {is_by_stb, decode_stb}};
+
 bool is_exr(const std::filesystem::path& path) { return lower_case(path.extension().string()) == ".exr"; }
 
 // A file's picture as it was decoded, before it is turned.
@@ -201,9 +209,10 @@ Result<FittedImage> decode_fitted_image(std::string_view bytes, const std::strin
         };
         return read_rows(open, source, bytes.size(), name, limits);
     }
-    const auto decode = is_hdr(bytes) ? decode_hdr : is_tiff(bytes) ? decode_tiff : nullptr;
-    if (decode == nullptr) return unreadable(name, "not a PNG, JPEG, HDR, TIFF or EXR file");
-    auto whole = decode(bytes, std::min(limits.max_pixels, kMaxWhole));
+    const auto* reader = std::ranges::find_if(kWholeReaders, [&](const WholeReader& r) { return r.is(bytes); });
+    if (reader == std::end(kWholeReaders))
+        return unreadable(name, "not a PNG, JPEG, HDR, TIFF, EXR, PNM, BMP, PSD or TGA file");
+    auto whole = reader->decode(bytes, std::min(limits.max_pixels, kMaxWhole));
     if (!whole) return unreadable(name, whole.error().message());
     return made_smaller({{std::move(whole->image)}, whole->orientation, whole->to_rec709, std::move(whole->unused)},
                         name, limits);

@@ -34,7 +34,7 @@ struct FittedImage {
 // Shows progress. Errors: as load_image; a large PNG that is interlaced, a large JPEG that is progressive; an EXR with several pictures of
 // which none is the file's, or without the layer; a layer of another file. Memory: the image returned and a few rows of other PNG and JPEG, else the file and the whole image.
 Result<FittedImage> load_fitted_image(const std::filesystem::path& path, const ImageLimits& limits = {});
-// The same for a PNG, JPEG, HDR or TIFF file in memory; name: what errors call it.
+// The same for a file in memory that is no EXR; name: what errors call it.
 Result<FittedImage> decode_fitted_image(std::string_view bytes, const std::string& name,
                                         const ImageLimits& limits = {});
 

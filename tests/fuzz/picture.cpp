@@ -1,4 +1,4 @@
-// PNG, JPEG and Radiance files.
+// Every kind of image file but EXR.
 #include <algorithm>
 
 #include "fuzz.h"
