@@ -64,14 +64,28 @@ constexpr unsigned kTgaFromRight = 0x10, kTgaInterleaved = 0xc0;
 constexpr std::size_t kTgaPaletteStart = 3, kTgaDescriptor = 17;
 
 // Adobe Photoshop File Formats Specification: three sections, each behind its length, lie between the head and the merged picture.
-constexpr std::size_t kPsdDepth = 22, kPsdHead = 26;
+constexpr std::size_t kPsdChannels = 12, kPsdHeight = 14, kPsdDepth = 22, kPsdHead = 26;
 bool is_deep_psd(std::string_view bytes) {
     return bytes.size() > kPsdHead && bytes.substr(kPsdDepth, 2) == std::string_view("\0\x10", 2);
 }
-bool is_packed_psd(std::string_view bytes) {
+// Where the merged picture begins, by its kind of compression; nothing: the file ends before.
+std::optional<std::size_t> merged_psd(std::string_view bytes) {
     std::size_t at = kPsdHead;
     for (int section = 0; section < 3 && at + 4 <= bytes.size(); ++section) at += 4 + big_endian(bytes.substr(at, 4));
-    return at + 2 <= bytes.size() && big_endian(bytes.substr(at, 2)) != 0;
+    return at + 2 <= bytes.size() ? std::optional(at) : std::nullopt;
+}
+
+// With red, green and blue alone: of a fourth channel stb_image takes for granted that it is alpha over white, and undoes that, beyond the range of
+// its numbers too. merged: of these bytes. The data of channels follow each other, behind the lengths of all their rows if they are compressed.
+std::string psd_of_three(std::string_view bytes, std::size_t merged) {
+    std::string three(bytes);
+    const std::size_t channels = big_endian(bytes.substr(kPsdChannels, 2)),
+                      height = big_endian(bytes.substr(kPsdHeight, 4));
+    const std::size_t lengths = merged + 2 + 6 * height;
+    if (big_endian(bytes.substr(merged, 2)) == 1 && lengths < three.size())
+        three.erase(lengths, 2 * height * (channels - 3));
+    three.replace(kPsdChannels, 2, std::string_view("\0\3", 2));
+    return three;
 }
 
 bool is_bmp(std::string_view bytes) { return bytes.starts_with("BM"); }
@@ -126,6 +140,18 @@ Result<WholePicture> decode_by_stb(std::string_view bytes, long long max_pixels,
     return picture;
 }
 
+Result<WholePicture> decode_psd(std::string_view bytes, long long max_pixels) {
+    constexpr const char* kKinds = "the PSD files that are read: RGB of 8 or 16 bits, with a merged picture";
+    const auto merged = merged_psd(bytes);
+    if (!merged) return bad_input("it is cut off");
+    if (is_deep_psd(bytes) && big_endian(bytes.substr(*merged, 2)) != 0)
+        return bad_input("a PSD of 16 bits whose merged picture is compressed", "8 bits, or without compression");
+    if (big_endian(bytes.substr(kPsdChannels, 2)) <= 3) return decode_by_stb(bytes, max_pixels, kKinds);
+    auto picture = decode_by_stb(psd_of_three(bytes, *merged), max_pixels, kKinds);
+    if (picture) picture->unused.emplace_back("channels beside red, green and blue");
+    return picture;
+}
+
 }  // namespace
 
 bool is_by_stb(std::string_view bytes) {
@@ -137,11 +163,7 @@ bool is_by_stb(std::string_view bytes) {
 Result<WholePicture> decode_stb(std::string_view bytes, long long max_pixels) {
     if (is_bmp(bytes))
         return decode_by_stb(bytes, max_pixels, "the BMP files that are read: not compressed, 1 to 32 bits a pixel");
-    if (is_psd(bytes) && is_deep_psd(bytes) && is_packed_psd(bytes))
-        return bad_input("a PSD of 16 bits whose merged picture is compressed", "8 bits, or without compression");
-    if (is_psd(bytes))
-        return decode_by_stb(bytes, max_pixels,
-                             "the PSD files that are read: RGB of 8 or 16 bits, with a merged picture");
+    if (is_psd(bytes)) return decode_psd(bytes, max_pixels);
     const unsigned descriptor = byte_at(bytes, kTgaDescriptor);
     if (byte_at(bytes, 1) == 1 && word_at(bytes, kTgaPaletteStart) != 0)
         return bad_input("a TGA palette that does not begin with its first entry");

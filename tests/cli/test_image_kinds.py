@@ -132,6 +132,9 @@ class ImageKinds(support.CliTest):
     def test_psd(self):
         for packed in (False, True):
             self.is_png("a.psd", psd(packed=packed))
+            self.write("four.psd", psd(lambda x, y: (77, 99, 11, 3), channels=4, packed=packed))
+            self.near(self.middle("four.psd"), [linear(v / 255) for v in (77, 99, 11)])
+            self.assertIn("channels beside", self.notes)
         wide = lambda x, y: [251 * v + 3 for v in code(x, y)]
         self.is_png("w.psd", psd(wide, 16), wide, 16)
         self.write("i.psd", psd(lambda x, y: (77, 77, 77), resources=b"8BIM" + struct.pack(">HHI", 0x40f, 0, 4) + b"wide"))
