@@ -138,8 +138,8 @@ Result<std::string> draw(const Job& job, Session* session, const Exposure& shown
         options.layers && frame ? next_scene(job, options.time_step, *frame) : std::nullopt;
     const PictureOrigin origin = origin_of(job, options, shown, next.has_value(), frame);
     const bool all_round = scene.camera.stereo == Stereo::kAllRound;
-    if (session != nullptr && options.to_exr() && !options.raydata && !options.layers && options.st_map.empty() &&
-        !job.split && !scene.split && !all_round && !names_faces(options) &&
+    if (session != nullptr && options.to_exr() && options.to_linear_light() && !options.raydata && !options.layers &&
+        options.st_map.empty() && !job.split && !scene.split && !all_round && !names_faces(options) &&
         (options.half || is_drawn_in_bands(scene))) {
         TRY(beside, side_by_side_pictures(shown));
         return capture_large_exr(*session, origin, *beside, options, file);
@@ -332,7 +332,7 @@ Status finish_film(const Job& job, const CaptureOptions& options, FrameStore& st
     const int count = job.frames.end - job.frames.first;
     TRY(words, film_words(job, options, store.file(job.frames.first)));
     TRY(made, encode_film({film_folder(options), job.frames.first, count, rate, options.output, options.ffmpeg,
-                           std::move(*words), sphere_in(job, options.time_step, job.frames)}));
+                           options.words_asked(), std::move(*words), sphere_in(job, options.time_step, job.frames)}));
     std::error_code error;
     std::filesystem::remove_all(film_folder(options), error);
     const auto [width, height] = stereo_size(job.scene.camera);

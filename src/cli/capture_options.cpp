@@ -33,7 +33,7 @@ std::string format_help() {
 }  // namespace
 
 bool CaptureOptions::format_has(std::string_view option) const {
-    if (format() == nullptr) return false;
+    if (format() == nullptr) return to_film() && option == "--bits";
     const auto names = nullscope::split(format()->options, ' ');
     return std::ranges::find(names, option) != names.end();
 }
@@ -103,8 +103,11 @@ void add_capture_options(Command& command, CaptureOptions& options) {
                   "driver's limit)");
     number_option(command, "--quality", options.quality, 1, 100,
                   fmt::format("Quality of a .jpg: lower means smaller files (default {})", kJpegQuality));
-    command.add_option("--bits", &options.bits, "Bits of each colour of a .png: 8 (the default) or 16; a .tif has 16")
-        .one_of({"8", "16"});
+    command
+        .add_option(
+            "--bits", &options.bits,
+            "Bits of each colour of a .png: 8 (the default) or 16; of a film: 8 (the default) or 10; a .tif has 16")
+        .one_of({"8", "10", "16"});
     command.add_flag(
         "--plain", &options.plain,
         fmt::format(
@@ -116,6 +119,10 @@ void add_capture_options(Command& command, CaptureOptions& options) {
         "--half", &options.half,
         "Write an EXR's colours as half floats: half the size, three digits, at most 65504; without --raydata and "
         "--split");
+    text_option(command, "--colour", options.colour,
+                "Colours of an EXR: rec709, linear light; acescg, the same in ACEScg's primaries; display, what a .png "
+                "shows (exposure, tone curve, bloom, labels) before its sRGB encoding, for films by ffmpeg",
+                {"rec709", "acescg", "display"});
     command.add_flag("--raydata", &options.raydata,
                      "Also write where each pixel's ray ends, as channels of the EXR (docs/ray-data.md)");
     command.add_flag("--layers", &options.layers,

@@ -22,7 +22,8 @@ struct CaptureOptions : DrawOptions {
     std::optional<int> time_frame;  // that has the scene's time
     std::optional<double> max_error;
     std::optional<int> quality;  // of a JPEG
-    std::string bits;            // of a colour of a displayed picture: "8", "16"; empty: as its format has it
+    std::string bits;  // of a colour of a displayed picture: "8", "10" (films), "16"; empty: as its format has it
+    std::string colour = "rec709";  // of an EXR
     int workers = 1;
     std::vector<std::string> ffmpeg;  // options for the film
     std::string tiles = "auto";
@@ -32,17 +33,20 @@ struct CaptureOptions : DrawOptions {
     bool one_frame = false;          // frames is one that a picture recorded, drawn into a file of its own
 
     const PictureFormat* format() const { return format_named(output); }  // nullptr: a film, or unknown
-    bool format_has(std::string_view option) const;                       // PictureFormat::options
+    bool format_has(std::string_view option) const;                       // PictureFormat::options; a film has --bits
     bool to_exr() const { return format() == &kExrFormat; }
-    bool to_linear_light() const { return format() != nullptr && format()->sample == Sample::kLight; }
+    bool to_displayed_light() const { return to_exr() && colour == "display"; }
+    bool to_linear_light() const {  // not to what is displayed, whatever its encoding
+        return format() != nullptr && format()->sample == Sample::kLight && !to_displayed_light();
+    }
     bool to_film() const { return is_film(output); }
-    bool words_asked() const { return bits == "16" && format_has("--bits"); }
+    bool words_asked() const { return (bits == "16" || bits == "10") && format_has("--bits"); }
     bool to_one_picture() const;  // neither a film nor numbered frames
     // What drawing needs to know of the file.
     DrawOptions drawing() const {
         DrawOptions options = *this;
         options.sample = format() != nullptr ? format()->sample : Sample::kByte;
-        if (words_asked()) options.sample = Sample::kWord;
+        if (words_asked() || to_displayed_light()) options.sample = Sample::kWord;
         options.in_bands = !to_exr();  // its bands go straight into the file
         options.stokes = !half && !to_film() && (to_linear_light() || to_one_picture());
         return options;

@@ -22,17 +22,22 @@ using FilmWords = std::vector<std::string>;
 
 // What a name's ending stands for, as options of ffmpeg.
 struct FilmKind {
-    const char *ending, *options;
+    const char *ending, *options, *ten_bits;
     bool is_rgb = false;
-    bool is_mp4 = false;  // or QuickTime
+    std::string_view
+        sphere_in{};  // what has boxes for the sphere, MP4 or QuickTime; a film of another kind is copied from there
 };
 constexpr const char* kAnyKeyword = "-movflags +use_metadata_tags";  // so that MP4 says what it was made from
 constexpr std::array kKinds{
-    FilmKind{".mp4", "-c:v libx264 -crf 16 -pix_fmt yuv420p -movflags +faststart", false, true},  // plays everywhere
-    FilmKind{".mov", "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le", false,
-             true},                                                          // ProRes 422 HQ, to be edited
-    FilmKind{".mkv", "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt bgr0", true},  // without loss
-    FilmKind{".webm", "-c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -pix_fmt yuv420p"},
+    FilmKind{".mp4", "-c:v libx264 -crf 16 -pix_fmt yuv420p -movflags +faststart",  // plays everywhere
+             "-c:v libx265 -crf 16 -pix_fmt yuv420p10le -tag:v hvc1 -x265-params log-level=error -movflags +faststart",
+             false, ".mp4"},
+    FilmKind{".mov", "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le",  // ProRes 422 HQ, to be edited
+             "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le", false, ".mov"},
+    FilmKind{".mkv", "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt bgr0",  // without loss
+             "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt gbrp10le", true},
+    FilmKind{".webm", "-c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -pix_fmt yuv420p",
+             "-c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -profile:v 2 -pix_fmt yuv420p10le", false, ".mp4"},
 };
 constexpr const char* kEvenSides = "crop=trunc(iw/2)*2:trunc(ih/2)*2";  // 4:2:0 halves them
 // Pictures are sRGB, and the film says so; where it does not, players guess by its size.
@@ -114,21 +119,13 @@ bool names_filter(const std::string& option) {
     return option == "-vf" || option == "-lavfi" || option.starts_with("-filter");
 }
 
-// ffmpeg into a file `part`, which it takes for one of film.output's kind.
-Status encode_into(const Film& film, const std::string& texts, const std::filesystem::path& part) {
-    FilmWords words;
+// Of one that makes this film.
+Status run_ffmpeg(const Film& film, FilmWords words) {
     // -xerror: without it the status is 0 also where the film's end could not be written.
-    add_words(words, fmt::format("ffmpeg -y -xerror -loglevel error -framerate {} -start_number {} -i", film.rate,
-                                 film.first));
-    words.push_back(percent_doubled(film.folder) + "/%05d.png");
-    const FilmKind& kind = *kind_of(film.output);
-    words.insert(words.end(), {"-f", "ffmetadata", "-i", texts, "-map_metadata", "1"});
-    add_words(words, fmt::format("-frames:v {} -vf {}{}", film.count, kEvenSides, kind.is_rgb ? kRgb : kYuv));
-    if (std::ranges::none_of(film.options, names_codec)) add_words(words, kind.options);
-    if (kind.is_mp4) add_words(words, kAnyKeyword);
-    words.insert(words.end(), film.options.begin(), film.options.end());
-    words.push_back(part.string());
-    const Ended ended = run_quietly(std::move(words));
+    FilmWords all;
+    add_words(all, "ffmpeg -y -xerror -loglevel error");
+    all.insert(all.end(), words.begin(), words.end());
+    const Ended ended = run_quietly(std::move(all));
     if (ended.how.empty()) return Done{};
     const std::string why = ended.said.empty() ? ended.how : fmt::format("{}: {}", ended.how, ended.said);
     return failed((ended.found ? fmt::format("ffmpeg could not write {} ({})", film.output, why)
@@ -136,22 +133,60 @@ Status encode_into(const Film& film, const std::string& texts, const std::filesy
                   "; the pictures are in " + film.folder);
 }
 
-// ffmpeg has no option for what a film shows of the sphere: it is put into a copy.
-Status encode_sphere(const Film& film, const std::string& texts) {
-    const std::filesystem::path plain = film.folder + "/film" + kind_of(film.output)->ending;
-    Status made =
-        write_atomically(plain, [&](const std::filesystem::path& part) { return encode_into(film, texts, part); });
-    if (!made) return made;
-    made = write_stream_atomically(film.output, [&](std::ostream& output) -> Status {
+// Into a file `part`, whose ending says what holds the film.
+Status encode_into(const Film& film, const std::string& texts, const std::filesystem::path& part) {
+    FilmWords words;
+    add_words(words, fmt::format("-framerate {} -start_number {} -i", film.rate, film.first));
+    words.push_back(percent_doubled(film.folder) + "/%05d.png");
+    const FilmKind& kind = *kind_of(film.output);
+    words.insert(words.end(), {"-f", "ffmetadata", "-i", texts, "-map_metadata", "1"});
+    add_words(words, fmt::format("-frames:v {} -vf {}{}", film.count, kEvenSides, kind.is_rgb ? kRgb : kYuv));
+    if (std::ranges::none_of(film.options, names_codec)) add_words(words, film.ten_bits ? kind.ten_bits : kind.options);
+    if (kind.sphere_in == kind.ending) add_words(words, kAnyKeyword);
+    words.insert(words.end(), film.options.begin(), film.options.end());
+    words.push_back(part.string());
+    return run_ffmpeg(film, std::move(words));
+}
+
+Status mark_sphere(const Film& film, const std::filesystem::path& plain, const std::filesystem::path& marked) {
+    return write_stream_atomically(marked, [&](std::ostream& output) -> Status {
         std::ifstream input(plain, std::ios::binary);
         Status copied = copy_with_sphere(input, *film.sphere, output);
         if (copied) return copied;
         return failed(fmt::format("{} could not be marked as a film of the sphere ({}); the pictures are in {}",
                                   film.output, copied.error().what, film.folder));
     });
+}
+
+// The same pictures and what is said of the sphere, which ffmpeg then writes as this kind of film does, and the texts.
+Status copy_marked(const Film& film, const std::string& texts, const std::filesystem::path& marked) {
+    return write_atomically(film.output, [&](const std::filesystem::path& part) {
+        return run_ffmpeg(film, {"-i", marked.string(), "-f", "ffmetadata", "-i", texts, "-map", "0:v", "-map_metadata",
+                                 "1", "-c", "copy", part.string()});
+    });
+}
+
+// ffmpeg has no option for what a film shows of the sphere: it is put into a copy.
+Status encode_sphere(const Film& film, const std::string& texts) {
+    const FilmKind& kind = *kind_of(film.output);
+    const std::string holder(kind.sphere_in);
+    const std::filesystem::path plain = film.folder + "/film" + holder, marked = film.folder + "/marked" + holder;
+    Status made =
+        write_atomically(plain, [&](const std::filesystem::path& part) { return encode_into(film, texts, part); });
+    if (!made) return made;
+    const bool is_there = holder == kind.ending;
+    made = mark_sphere(film, plain, is_there ? std::filesystem::path(film.output) : marked);
+    if (made && !is_there) made = copy_marked(film, texts, marked);
     std::error_code ignored;
-    std::filesystem::remove(plain, ignored);
+    std::filesystem::remove(plain, ignored), std::filesystem::remove(marked, ignored);
     return made;
+}
+
+// Options for a kind of film are not those of what it is copied from.
+bool is_marked(const Film& film) {
+    const FilmKind& kind = *kind_of(film.output);
+    if (!film.sphere || kind.sphere_in.empty() || std::ranges::any_of(film.options, names_filter)) return false;
+    return kind.sphere_in == kind.ending || film.options.empty();
 }
 
 }  // namespace
@@ -169,8 +204,7 @@ bool have_ffmpeg() { return run_quietly({"ffmpeg", "-loglevel", "quiet", "-versi
 Status encode_film(const Film& film) {
     const std::string texts = film.folder + "/texts";
     TRY(said, write_text_atomically(texts, ffmetadata(film.texts)));
-    if (film.sphere && kind_of(film.output)->is_mp4 && std::ranges::none_of(film.options, names_filter))
-        return encode_sphere(film, texts);
+    if (is_marked(film)) return encode_sphere(film, texts);
     return write_atomically(film.output,
                             [&](const std::filesystem::path& part) { return encode_into(film, texts, part); });
 }

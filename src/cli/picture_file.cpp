@@ -89,13 +89,52 @@ Status write_fits(LightFile file) {
     return save_fits(file.name, stokes.empty() ? luminance_image(light) : turned_to_north(stokes), header, light);
 }
 
+// What the displayed picture shows, before its sRGB encoding.
+Image<float> displayed_light(const Image<unsigned short>& words) {
+    Image<float> light(words.width, words.height, 3);
+    std::ranges::transform(words.data, light.data.begin(),
+                           [](unsigned short code) { return linear_from_srgb(static_cast<float>(code) / 65535.0f); });
+    return light;
+}
+
+// The primaries of an EXR's colours; none: Rec. 709's, which are those of all that is drawn.
+std::optional<Primaries> primaries_of(const CaptureOptions& options) {
+    return options.colour == "acescg" ? std::optional(kAcesCgPrimaries) : std::nullopt;
+}
+
+void convert_light(float& red, float& green, float& blue, const Mat3& matrix) {
+    const Vec3 light = matrix * Vec3{red, green, blue};
+    red = static_cast<float>(light.x), green = static_cast<float>(light.y), blue = static_cast<float>(light.z);
+}
+
+void convert_to(const Primaries& primaries, Image<float>& image) {
+    const Mat3 matrix = light_matrix(kRec709Primaries, primaries);
+    for (std::size_t i = 0; i + 2 < image.data.size(); i += 3)
+        convert_light(image.data[i], image.data[i + 1], image.data[i + 2], matrix);
+}
+
+// The colours of the picture and of its layers.
+void convert_to(const Primaries& primaries, ChannelImage& image) {
+    const Mat3 matrix = light_matrix(kRec709Primaries, primaries);
+    for (auto& [name, red] : image.channels) {
+        if (name != "R" && !name.ends_with(".R")) continue;
+        const std::string layer = name.substr(0, name.size() - 1);
+        std::vector<float>&green = image.channels.at(layer + "G"), &blue = image.channels.at(layer + "B");
+        for (std::size_t i = 0; i < red.size(); ++i) convert_light(red[i], green[i], blue[i], matrix);
+    }
+}
+
 Status write_exr(LightFile file) {
     const Captured& captured = file.captured;
-    const Image<float>& light = captured.linear;
+    const Image<float> displayed = file.options.to_displayed_light() ? displayed_light(captured.words) : Image<float>();
+    const Image<float>& light = displayed.empty() ? captured.linear : displayed;
+    const std::optional<Primaries> primaries = primaries_of(file.options);
     if (file.options.half) {
-        say_halves(file.name, count_beyond_half(light.data), file.options.listener);
-        return save_exr_bands(file.name, {light.width, light.height, true, std::move(file.words)},
-                              [&](int) -> Result<Image<float>> { return light; });
+        Image<float> colours = light;
+        if (primaries) convert_to(*primaries, colours);
+        say_halves(file.name, count_beyond_half(colours.data), file.options.listener);
+        return save_exr_bands(file.name, {light.width, light.height, true, std::move(file.words), primaries},
+                              [&](int) -> Result<Image<float>> { return std::move(colours); });
     }
     ChannelImage channels{light.width, light.height, {}, {}};
     for (int c = 0; c < 3; ++c) channels.channels[std::string(1, "RGB"[c])] = channel_of(light, c);
@@ -104,6 +143,8 @@ Status write_exr(LightFile file) {
     if (!captured.stokes.empty())
         for (int c = 0; c < kStokesParameters; ++c)
             channels.channels[std::string("stokes.") + "IQUV"[c]] = channel_of(captured.stokes, c);
+    if (primaries) convert_to(*primaries, channels);
+    channels.primaries = primaries;
     channels.attributes = std::move(file.words);
     return save_exr(file.name, channels);
 }
@@ -125,7 +166,7 @@ Result<std::string> capture_large_exr(Session& session, const PictureOrigin& ori
     const Advance advance = options.listener.progress("large picture", camera.height);
     TRY(words, words_of(origin, made_by(session)));
     const BandedImage image{camera.width * static_cast<int>(shown.size()), camera.height, options.half,
-                            std::move(*words)};
+                            std::move(*words), primaries_of(options)};
     std::size_t beyond = 0;
     TRY(saved, save_exr_bands(file_name, image, [&](int y) -> Result<Image<float>> {
             const PictureBand band = *std::ranges::find(bands, y, &PictureBand::top);
@@ -136,6 +177,7 @@ Result<std::string> capture_large_exr(Session& session, const PictureOrigin& ori
             }
             tell_notes(session, options.listener);
             advance(band.rows);
+            if (image.primaries) convert_to(*image.primaries, all);
             beyond += count_beyond_half(all.data);
             return all;
         }));

@@ -52,7 +52,9 @@ std::string recorded_options(const RunOptions& run, const Scene& scene) {
     if (options.layers) words.emplace_back("--layers");
     if (!options.st_map.empty()) add("--st-map", options.st_map);
     if (options.format_has("--quality")) add("--quality", options.quality.value_or(kJpegQuality));
-    if (options.words_asked() && options.format()->sample != Sample::kWord) add("--bits", options.bits);
+    if (options.words_asked() && (options.to_film() || options.format()->sample != Sample::kWord))
+        add("--bits", run.frame ? "16" : options.bits);  // a film's picture has them all
+    if (options.to_exr() && options.colour != CaptureOptions{}.colour) add("--colour", options.colour);
     if (options.plain && !options.to_linear_light()) words.emplace_back("--plain");
     if (run.frame) words.push_back(fmt::format("--frames {}:{}", *run.frame, *run.frame + 1));
     if (run.whole_film && options.time_step != 0) add("--time-step", options.time_step);
@@ -79,10 +81,10 @@ Result<CaptureOptions> with_recorded(CaptureOptions options, const OpenedScene& 
             without_controls(fmt::format("{}: {}: {}", options.scene, kOptionsWord, asked.error().message())));
 
     const Names out = displaced(options, {options.given.begin(), options.given.end()}), lost = without_place(options);
-    static constexpr std::array<std::string_view, 18> kRecorded = {
-        "--renderer", "--samples", "--method",    "--tiles",      "--largest-texture", "--half",
-        "--raydata",  "--layers",  "--st-map",    "--quality",    "--plain",           "--frames",
-        "--size",     "--time",    "--time-step", "--time-frame", "--max-error",       "--bits"};
+    static constexpr std::array<std::string_view, 19> kRecorded = {
+        "--renderer",  "--samples",    "--method",    "--tiles", "--largest-texture", "--half", "--raydata",
+        "--layers",    "--st-map",     "--quality",   "--plain", "--frames",          "--size", "--time",
+        "--time-step", "--time-frame", "--max-error", "--bits",  "--colour"};
     std::vector<std::string_view> left_out;
     for (std::size_t i = 0; i < command.options().size(); ++i) {
         const Option& option = *command.options()[i];

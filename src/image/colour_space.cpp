@@ -6,7 +6,6 @@
 namespace nullscope {
 namespace {
 
-constexpr Primaries kRec709 = {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, {0.3127, 0.3290}};
 constexpr double kSamePrimaries = 0.002;  // x and y are written with three or four digits
 
 // Of unit luminance.
@@ -37,14 +36,18 @@ double distance(Chromaticity a, Chromaticity b) { return std::max(std::fabs(a.x 
 
 }  // namespace
 
+Mat3 light_matrix(const Primaries& from, const Primaries& to) {
+    return inverse(xyz_from_rgb(to)) * bradford(from.white, to.white) * xyz_from_rgb(from);
+}
+
 std::optional<Mat3> rec709_from(const Primaries& p) {
     for (const Chromaticity c : {p.red, p.green, p.blue, p.white})
         if (!(std::fabs(c.x) < 10.0) || !(std::fabs(c.y) < 10.0) || std::fabs(c.y) < 1e-6) return std::nullopt;
     if (std::fabs(volume({xyz_of(p.red), xyz_of(p.green), xyz_of(p.blue)})) < 1e-9) return std::nullopt;
-    const double apart = std::max({distance(p.red, kRec709.red), distance(p.green, kRec709.green),
-                                   distance(p.blue, kRec709.blue), distance(p.white, kRec709.white)});
+    const double apart = std::max({distance(p.red, kRec709Primaries.red), distance(p.green, kRec709Primaries.green),
+                                   distance(p.blue, kRec709Primaries.blue), distance(p.white, kRec709Primaries.white)});
     if (apart < kSamePrimaries) return std::nullopt;
-    return inverse(xyz_from_rgb(kRec709)) * bradford(p.white, kRec709.white) * xyz_from_rgb(p);
+    return light_matrix(p, kRec709Primaries);
 }
 
 }  // namespace nullscope

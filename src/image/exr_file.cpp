@@ -4,6 +4,7 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
@@ -29,6 +30,13 @@ constexpr std::size_t kLongestAttribute = 240;
 void add_texts(const Texts& texts, Imf::Header& header) {
     for (const auto& [name, text] : in_pieces(texts, kLongestAttribute))
         header.insert(name, Imf::StringAttribute(text));
+}
+
+void add_primaries(const std::optional<Primaries>& primaries, Imf::Header& header) {
+    if (!primaries) return;
+    const auto point = [](Chromaticity c) { return Imath::V2f(static_cast<float>(c.x), static_cast<float>(c.y)); };
+    Imf::addChromaticities(
+        header, {point(primaries->red), point(primaries->green), point(primaries->blue), point(primaries->white)});
 }
 
 // Throws what OpenEXR throws. Of a file with several parts, the first.
@@ -82,6 +90,7 @@ std::string encode_exr(const ChannelImage& image) {
             name, Imf::Slice(Imf::FLOAT, base, sizeof(float), sizeof(float) * static_cast<std::size_t>(image.width)));
     }
     add_texts(image.attributes, header);
+    add_primaries(image.primaries, header);
     Imf::StdOSStream stream;
     {
         Imf::OutputFile file(stream, header);
@@ -146,6 +155,7 @@ Status write_bands(std::ostream& to, const BandedImage& image,
     for (const char* name : {"R", "G", "B"})
         header.channels().insert(name, Imf::Channel(image.half ? Imf::HALF : Imf::FLOAT));
     add_texts(image.attributes, header);
+    add_primaries(image.primaries, header);
     FileStream stream(to, "");
     Imf::OutputFile file(stream, header);
     for (int y = 0; y < image.height;) {

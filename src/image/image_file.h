@@ -6,21 +6,23 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "base/result.h"
+#include "image/colour_space.h"
 #include "image/image.h"
 
 namespace nullscope {
 
-// PNG, JPEG, HDR, EXR (by content for the first three, by extension for EXR). channels: 3, or 4 with an alpha channel.
+// PNG, JPEG, HDR, TIFF, PNM, BMP, PSD and TGA by content, EXR by extension. channels: 3, or 4 with an alpha channel.
 // Errors: no such file, not an image, damaged, larger than max_pixels (guards memory against hostile headers).
 Result<Image<float>> load_image(const std::filesystem::path& path, long long max_pixels = 500'000'000);
 
-// The same for a PNG, JPEG or HDR file in memory; name: what errors call it.
+// The same for a file in memory that is no EXR; name: what errors call it.
 Result<Image<float>> decode_image(std::string_view bytes, const std::string& name, long long max_pixels = 500'000'000);
 
 // 3 or 4 channels of 8 bits, already display-encoded. texts: what the file says of itself, by keyword ("Title", "Software").
@@ -42,6 +44,8 @@ struct ChannelImage {
     int height = 0;
     std::map<std::string, std::vector<float>> channels;  // name -> width*height values, top row first
     std::map<std::string, std::string> attributes;
+    std::optional<Primaries>
+        primaries{};  // of its colours, written as chromaticities; none: Rec. 709, as OpenEXR has it
 };
 Status save_exr(const std::filesystem::path& path, const ChannelImage& image);
 
@@ -50,6 +54,7 @@ struct BandedImage {
     int width = 0, height = 0;
     bool half = false;  // what is beyond 65504, the largest half float, is written as that
     std::map<std::string, std::string> attributes;
+    std::optional<Primaries> primaries{};  // as of ChannelImage
 };
 // rows_from(y): the rows from y on, at least one, 3 channels; errors of it are returned.
 Status save_exr_bands(const std::filesystem::path& path, const BandedImage& image,

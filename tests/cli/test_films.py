@@ -282,17 +282,55 @@ class RealFfmpeg(support.CliTest):
                 ("size = [64, 64]\nfov = 180", None, "tiled equirectangular", (0, 0, quarter, quarter))):
             self.write("scene.toml", camera + words)
             self.run_nullscope("capture", "scene.toml", *self.MOVING[2:], "-o", "f%d.png")
-            for name in ("film.mp4", "film.mov"):
+            for name in ("film.mp4", "film.mov", "film.webm"):
                 self.run_nullscope("capture", "scene.toml", *self.MOVING[2:], "-o", name)
                 out = subprocess.run(["ffprobe", "-v", "error", "-of", "json", "-show_streams", name], cwd=self.folder, capture_output=True,
                                      check=True).stdout
                 said = {data.pop("side_data_type"): data for data in json.loads(out)["streams"][0]["side_data_list"]}
                 self.assertEqual(said.get("Stereo 3D", {}).get("type"), eyes, said)
                 self.assertEqual(said["Spherical Mapping"]["projection"], projection)
+                if name.endswith(".webm"):
+                    self.assertIn("scene_text", "".join(self.tags(name)))
+                    continue
                 box = (self.folder / name).read_bytes().split(b"equi\0\0\0\0")[1]   # ffprobe rounds to whole px
                 self.assertEqual(struct.unpack(">4I", box[:16]), bounds)
                 shown, meant = (self.frame(file, "gray") for file in (name, "f0.png"))
                 self.assertLess(sum(abs(a - b) for a, b in zip(shown, meant, strict=True)) / len(meant), 6, name)
+
+    def tags(self, name):
+        out = subprocess.run(["ffprobe", "-v", "error", "-of", "json", "-show_entries", "format_tags", name], cwd=self.folder,
+                             capture_output=True, check=True).stdout
+        return {key.lower(): value for key, value in json.loads(out)["format"]["tags"].items()}
+
+    def test_films_of_ten_bits(self):
+        """A dark gradient has more levels than 8 bits have; tags as of others; redrawn from 16-bit pictures."""
+        self.write("scene.toml", '[spacetime]\nmetric = "minkowski"\n[sky]\nkind = "plain"\ncolour = [0.02, 0.02, 0.02]\n[disc]\ninner = 3\nouter = 60\n'
+                                 'texture = "formula"\nformula = "0.01 + 0.02 * u"\n[camera]\ntheta = 60\nr = 30\n')
+        for name, codec, kind in (("film.mp4", "hevc", "yuv420p10le"), ("film.mov", "prores", "yuv422p10le"), ("film.mkv", "ffv1", "gbrp10le"),
+                                  ("film.webm", "vp9", "yuv420p10le")):
+            self.run_nullscope("capture", "scene.toml", *self.MOVING, "--bits", "10", "-o", name)
+            film = self.probe(name)
+            self.assertEqual((film["codec_name"], film["pix_fmt"], film["nb_read_frames"]), (codec, kind, "5"), film)
+            self.assertEqual([film.get(f"color_{of}") for of in ("space", "range", "primaries", "transfer")],
+                             [*(("gbr", "pc") if codec == "ffv1" else ("bt709", "tv")), "bt709", "iec61966-2-1"], name)
+            self.assertIn("--bits 10", self.tags(name)["nullscope.options"])
+        self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", "eight.mkv")
+        count = {name: len(set(struct.unpack(f"<{64 * 36}H", self.frame(name, "gbrp16le")[:2 * 64 * 36]))) for name in ("film.mkv", "eight.mkv")}
+        self.assertGreater(count["film.mkv"], 1.5 * count["eight.mkv"], count)
+
+    def test_a_film_of_exr_files_is_that_of_the_pictures(self):
+        """By docs/vfx.md's command: within 2 of 255."""
+        self.write("scene.toml", SCENE + "[picture]\nbloom = 0.2\n[disc]\n")
+        self.run_nullscope("capture", "scene.toml", *self.MOVING, "--colour", "display", "-o", "f%05d.exr")
+        self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", "p%05d.png")
+        subprocess.run(["ffmpeg", "-v", "error", "-framerate", "24", "-i", "f%05d.exr", "-vf", "zscale=tin=linear:t=iec61966-2-1,format=gbrp10",
+                        "-c:v", "ffv1", "shot.mkv"], cwd=self.folder, check=True)
+        self.assertEqual(self.probe("shot.mkv")["nb_read_frames"], "5")
+        shown, meant = self.frame("shot.mkv", "rgb24"), self.frame("p00000.png", "rgb24")
+        apart = [abs(a - b) for a, b in zip(shown, meant, strict=True)]
+        self.assertLessEqual(max(apart), 2)
+        self.assertLess(sum(apart) / len(apart), 1)
+        self.assertGreater(max(meant), 100)
 
     def test_ffmpeg_refuses(self):
         words = ("capture", "scene.toml", *self.MOVING, "-o", "film.mp4")

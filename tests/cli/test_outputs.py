@@ -34,7 +34,7 @@ emission = "black-body"
 density = "exp(-((x + 5)^2 + y^2 + z^2))"
 outer = 8
 """
-OPTIONS = (("--raydata",), ("--layers",), ("--st-map", "sky"), ("--st-map", "plate"), ("--half",), ("--plain",), ("--samples", "2"),
+OPTIONS = (("--raydata",), ("--layers",), ("--st-map", "sky"), ("--st-map", "plate"), ("--half",), ("--colour", "display"), ("--plain",), ("--samples", "2"),
            ("--renderer", "reference"))
 RAY_DATA = {"fate", "sky.x", "sky.y", "sky.z", "ray.shift", "delay", "angle", "order", "hit", *support.PLACE}
 LAYERS = ("disc0", "disc1", "disc2", "bodies", "medium", "sky")
@@ -57,12 +57,12 @@ class Outputs(support.CliTest):
 
     def check_exr(self, options, number):
         given = {option[0] for option in options}
-        plain = self.colours(options, number)
+        plain = self.colours(options, number) if "--colour" not in given else None
         got = self.capture(options, f"{number}.exr")
         wanted = set("RGB")
         if given & {"--raydata", "--layers"}:
             wanted |= {support.BESIDE_LAYERS.get(name, name) for name in RAY_DATA} if "--layers" in given else RAY_DATA
-        for channel in "RGB" if "--st-map" not in given else "":
+        for channel in "RGB" if "--st-map" not in given and plain else "":
             self.assertEqual(got[channel], plain[channel], f"{options} change {channel}")
         self.assertTrue(set(got) >= wanted, f"{options}: {sorted(got)}")
         if not given & {"--raydata", "--layers"}:
@@ -91,6 +91,7 @@ class Outputs(support.CliTest):
                     len(given) != len(together)
                     or ("--st-map" in together and together & {"--raydata", "--layers", "--samples"})
                     or ("--half" in together and together & {"--raydata", "--layers", "--st-map", "--renderer"})
+                    or ("--colour" in together and together & {"--raydata", "--layers", "--st-map"})
                     or {"--layers", "--renderer"} <= together)
                 if impossible:
                     self.refused("capture", "scene.toml", *words, "-o", f"{number}.exr", says=["--"])
@@ -98,7 +99,7 @@ class Outputs(support.CliTest):
                 elif "--half" not in together:
                     self.check_exr(options, number)
                     drawn += 1
-                for kind in ("png", "jpg", "fits") if together & {"--raydata", "--layers", "--st-map", "--half"} else ():
+                for kind in ("png", "jpg", "fits") if together & {"--raydata", "--layers", "--st-map", "--half", "--colour"} else ():
                     self.refused("capture", "scene.toml", *words, "-o", f"{number}.{kind}", says=["--"])
         self.assertGreater(drawn, 10)
         self.assertGreater(refused, 10)
