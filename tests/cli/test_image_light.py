@@ -3,7 +3,11 @@
 drawn. Nothing of the program or of its packages makes the files or reads the pictures."""
 import json
 import math
+import re
+import shutil
 import struct
+import subprocess
+from pathlib import Path
 
 import support
 from image_bytes import attribute, exr_head, png
@@ -112,6 +116,36 @@ class ImageLight(support.CliTest):
                 along, up = [t * math.tan(math.radians(40)) / 32 for t in (x + 0.5 - 32, 18 - y - 0.5)]
                 length = math.sqrt(1 + along * along + up * up)
                 self.near(got[y][x], [0.3 + 0.1 * v / length for v in (-1, along, up)])
+
+    def test_a_galactic_panorama(self):
+        """The recipe of docs/vfx.md: a spot at a galactic place is seen at its right ascension and declination (SIMBAD)."""
+        w, h = 360, 180
+        recipe = (Path(__file__).resolve().parents[2] / "docs/vfx.md").read_text()
+        shift = float(re.search(r"scroll=hpos=([0-9.]+)", recipe)[1])   # of the width, to the right
+        by_ffmpeg = re.search(r"ffmpeg .*scroll.*", recipe)[0].split() if shutil.which("ffmpeg") else None
+        turns = re.search(r"tilt = [0-9.]+\nyaw = [0-9.]+\n", recipe)[0]
+        for l, b, ra, dec in ((359.9442, -0.0462, 266.4168, -29.0078), (283.7778, 74.4912, 187.7059, 12.3911), (0.0, 90.0, 192.8595, 27.1283)):
+            column, row = (0.5 - ((l + 180) % 360 - 180) / 360) * w, (0.5 - b / 180) * h
+            width = math.cos(math.radians(b))
+            def spot(x, y):
+                along = (x + 0.5 - (0 if by_ffmpeg else shift * w) - column + w / 2) % w - w / 2
+                return 60000 if math.hypot(width * along, y + 0.5 - row) < 3 else 0
+            self.write("galactic.png" if by_ffmpeg else "shifted.png", coloured_png(w, h, lambda x, y: (spot(x, y),) * 3))
+            if by_ffmpeg:
+                subprocess.run([*by_ffmpeg[:1], "-y", "-v", "error", *by_ffmpeg[1:]], cwd=self.folder, check=True)
+            self.write("g.toml", FLAT.format(fov=360) + f'projection = "equirectangular"\n[sky]\nkind = "image"\nimage = "shifted.png"\n{turns}')
+            self.run_nullscope("capture", "g.toml", "--size", f"{w}x{h}", "--raydata", "-o", "g.exr")
+            got = support.read_exr((self.folder / "g.exr").read_bytes())
+            sums = [0.0] * 3
+            for y in range(h):
+                for x in range(w):
+                    light = got["G"][y][x] * math.cos(math.pi * ((y + 0.5) / h - 0.5))   # of a pixel's solid angle
+                    for i, axis in enumerate("xyz" if light > 0 else ""):
+                        sums[i] += light * got[f"sky.{axis}"][y][x]
+            ra, dec = math.radians(ra), math.radians(dec)
+            wanted = math.cos(dec) * math.cos(ra), math.cos(dec) * math.sin(ra), math.sin(dec)
+            off = math.degrees(math.acos(min(1, sum(a * b for a, b in zip(sums, wanted)) / math.hypot(*sums))))
+            self.assertLess(off, 0.5, (l, b))   # half a pixel; ffmpeg shifts by whole ones
 
     def test_coarse_levels_keep_the_mean(self):
         self.write("c.exr", plain_exr(256, 128, rgb(*[lambda x, y: 2.0 if (x + y) % 2 else 0.03] * 3)))
