@@ -48,7 +48,7 @@ std::string frame_stamp(const StampInput& input) {
     text += fmt::format("--layers = {}\n--st-map = {}\n", options.layers, options.st_map);
     text += fmt::format("--half = {}\n", options.half);
     text += fmt::format("--quality = {}\n", options.quality.value_or(kJpegQuality));
-    if (options.words_asked()) text += fmt::format("--bits = {}\n", options.bits);
+    if (options.bits == "10" || options.bits == "16") text += fmt::format("--bits = {}\n", options.bits);
     if (options.colour != CaptureOptions{}.colour) text += fmt::format("--colour = {}\n", options.colour);
     text += fmt::format("--plain = {}\n", options.plain);
     text += fmt::format("--renderer = {}\n", options.renderer);
