@@ -237,6 +237,7 @@ nb::dict on_sky(const Scene& scene, const Asked& asked) {
     if (const auto flux = cli::flux_unit(now, several)) {
         header.cards.push_back({"FREQ", 1e9 * flux->frequency_GHz, ""});
         header.cards.push_back({"JANSKY", flux->jansky, ""});
+        header.cards.push_back({"LUMINANC", flux->luminance_jansky, ""});
         header.cards.push_back({"CHANNEL", static_cast<long long>(flux->channel), ""});
     }
     nb::dict cards;
@@ -265,7 +266,7 @@ void add_astronomy(nb::module_& m) {
         nb::arg("scene"), nb::arg("options"),
         "Keywords of the picture's FITS file, of coordinates and scene; WIDTH and HEIGHT; of a flux FREQ, and JANSKY, "
         "Jy a pixel of light 1 "
-        "in the plane CHANNEL.");
+        "in the plane CHANNEL, and LUMINANC, of luminance 1.");
 }
 
 }  // namespace

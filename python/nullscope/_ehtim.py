@@ -50,12 +50,11 @@ def _planes(picture):
     light = np.asarray(picture, dtype=float)
     if light.shape != (cards["HEIGHT"], cards["WIDTH"], 3):
         raise _core.Error(f"picture: an array of shape {light.shape}; allowed: the whole picture, ({cards['HEIGHT']}, {cards['WIDTH']}, 3)")
-    if "JANSKY" in cards:
-        return {"I": cards["JANSKY"] * light[:, :, cards["CHANNEL"]]}, cards
-    intensity = light @ _LUMINANCE
-    stokes = _core.stokes(picture.scene, picture.asked, None).astype(float)
+    unit = cards.get("LUMINANC", 1.0)
+    intensity = unit * (light @ _LUMINANCE)
+    stokes = unit * _core.stokes(picture.scene, picture.asked, None).astype(float)
     if not stokes.size:
-        return {"I": intensity}, cards
+        return {"I": cards["JANSKY"] * light[:, :, cards["CHANNEL"]] if "JANSKY" in cards else intensity}, cards
     if not np.allclose(stokes[:, :, 0], intensity, rtol=1e-4, atol=1e-5 * intensity.max()):
         raise _core.Error("picture: its light is polarised and not as capture() drew it; allowed: unchanged, scaled by flux=")
     return {"I": stokes[:, :, 0], "Q": -stokes[:, :, 1], "U": -stokes[:, :, 2], "V": stokes[:, :, 3]}, cards

@@ -70,6 +70,11 @@ Image<float> turned_to_north(Image<float> stokes) {
     return stokes;
 }
 
+Image<float> times(Image<float> image, double factor) {
+    for (float& value : image.data) value = static_cast<float>(factor * value);
+    return image;
+}
+
 // A file of linear light, which says more of its scene than words.
 struct LightFile {
     const std::string& name;
@@ -84,8 +89,10 @@ Status write_fits(LightFile file) {
     const bool several = !file.options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
     const auto flux = flux_unit(scene, several);
     const FitsHeader header = header_of(file.origin, file.captured, flux, several, std::move(file.words));
-    if (flux) return save_fits(file.name, in_jansky(file.captured.linear, *flux), header);
     const Image<float>&light = file.captured.linear, &stokes = file.captured.stokes;
+    if (flux && !stokes.empty())
+        return save_fits(file.name, turned_to_north(times(stokes, flux->luminance_jansky)), header);
+    if (flux) return save_fits(file.name, in_jansky(light, *flux), header);
     return save_fits(file.name, stokes.empty() ? luminance_image(light) : turned_to_north(stokes), header, light);
 }
 

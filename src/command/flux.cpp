@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "annotate/annotations.h"
+#include "image/luminance.h"
 #include "observer/picture_scale.h"
 #include "plan/medium.h"
 #include "spacetime/registry.h"
@@ -27,7 +28,11 @@ std::optional<FluxUnit> flux_unit(const Scene& scene, bool several) {
     constexpr double kMicroarcsecond = M_PI / 180.0 / 3600.0 * 1e-6, kJansky = 1e-23;  // rad; erg/(s cm^2 Hz)
     const double pixel = scale->length_per_px() / *microarcsecond * kMicroarcsecond,
                  light = medium_light_cgs(medium.frequency_GHz) / (*brightest * medium.brightness);
-    return FluxUnit{light * pixel * pixel / kJansky, static_cast<int>(brightest - colours), medium.frequency_GHz};
+    const float rgb[] = {static_cast<float>(colours[0]), static_cast<float>(colours[1]),
+                         static_cast<float>(colours[2])};
+    const double jansky = light * pixel * pixel / kJansky;
+    return FluxUnit{jansky, static_cast<int>(brightest - colours), medium.frequency_GHz,
+                    jansky * *brightest / luminance_of(rgb)};
 }
 
 Image<float> in_jansky(const Image<float>& linear, const FluxUnit& unit) {

@@ -13,6 +13,7 @@ struct FluxUnit {
     double jansky;  // of a pixel whose light in `channel` is 1
     int channel;    // of the picture's three
     double frequency_GHz;
+    double luminance_jansky;  // of a pixel whose luminance is 1
 };
 // Nothing where a picture has other light (sky, disc, bodies), no scale (observer/picture_scale.h) or no distance; several: where two
 // pictures are side by side.

@@ -82,7 +82,8 @@ std::span<const Feature> polarisation_features() {
           on_off_key(
               "picture", "streamlines", "off",
               "Whether a texture of lines over the displayed picture runs along the electric vector of polarised "
-              "light, with the more contrast the larger its fraction; needs a disc.polarisation or medium.polarisation, not in stereo "
+              "light, with the more contrast the larger its fraction; needs a disc.polarisation or "
+              "medium.polarisation, not in stereo "
               "pictures and split screens of the viewer, nor while the viewer's picture moves.",
               [](auto& s) { return &s.picture.streamlines; }, is_polarised, kPolarised)}},
     });

@@ -96,6 +96,19 @@ class Fits(support.CliTest):
             self.assertLess(abs(flux / meant - 1), 1e-6)
             self.assertEqual([tuple(row) for row in plane], [tuple(row) for row in exr[channel]], "rows in their order")
 
+    def test_stokes_planes_of_matter_are_in_jansky(self):
+        cards, planes = self.fits("m87-polarimetry", "--size", "48x27")
+        said = self.run_nullscope("capture", "m87-polarimetry", "--size", "48x27", "-o", "a.exr").out
+        exr = support.read_exr((self.folder / "a.exr").read_bytes())
+        self.assertEqual((cards["BUNIT"], cards["NAXIS3"]), ("Jy/pixel", 4))
+        flux = [sum(map(math.fsum, plane)) for plane in planes]
+        told = float(re.search(r"([\d.]+) Jy at 230 GHz", said).group(1))
+        self.assertLess(abs(flux[0] / told - 1), 1e-3, "four digits are printed")
+        light = sum(map(math.fsum, exr["stokes.I"]))
+        for value, channel, sign in zip(flux, "IQUV", (1, -1, -1, 1)):
+            self.assertLess(abs(value / flux[0] - sign * sum(map(math.fsum, exr["stokes." + channel])) / light), 1e-6)
+        self.assertIn(f"circular {100 * flux[3] / flux[0]:.3g} % net", said)
+
     def test_stokes_planes_are_the_exr_s_from_north_through_east(self):
         cards, planes = self.fits("m87-swirl", "--size", "64x36")
         said = self.run_nullscope("capture", "m87-swirl", "--size", "64x36", "-o", "a.exr").out
