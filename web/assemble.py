@@ -13,13 +13,17 @@ COPIED = ["gallery/*.jpg", "images/*.png", "images/*.jpg", "sky/*", "warp/*.data
 TEXTS = ["scenes/*.toml", "gallery/groups.toml", "frontier.csv"]  # all at once
 
 
+def packed(content):
+    """Servers compress some types and not others: the page unpacks by itself."""
+    return gzip.compress(content, 9, mtime=0)
+
+
 def main():
     build, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     shutil.rmtree(out, ignore_errors=True)
     shutil.copytree(ROOT / "web/page", out)
     for name in ("core", "reference"):
-        # Servers compress some types and not others: the page unpacks by itself.
-        (out / f"{name}.wasm.gz").write_bytes(gzip.compress((build / f"{name}.wasm").read_bytes(), 9, mtime=0))
+        (out / f"{name}.wasm.gz").write_bytes(packed((build / f"{name}.wasm").read_bytes()))
     for pattern in COPIED:
         for file in ASSETS.glob(pattern):
             to = out / "assets" / file.relative_to(ASSETS)
@@ -27,7 +31,7 @@ def main():
             shutil.copyfile(file, to)
     texts = {str(file.relative_to(ASSETS)): file.read_text()
              for pattern in TEXTS for file in sorted(ASSETS.glob(pattern))}
-    (out / "assets/scenes.json").write_text(json.dumps(texts, separators=(",", ":")))
+    (out / "assets/scenes.json.gz").write_bytes(packed(json.dumps(texts, separators=(",", ":")).encode()))
     shutil.copyfile(ASSETS / "icon.png", out / "icon.png")
     write_service_worker(out)
 

@@ -31,9 +31,9 @@ LENS = re.compile(r"\b(?:fov|plane_width) = [^,}]*, ")
 
 BEGIN = """
 (async () => {
-  const { Module } = await import("./module.js"), { glFunctions } = await import("./webgl.js");
+  const { Module, fetched } = await import("./module.js"), { glFunctions } = await import("./webgl.js");
   const core = await Module.load(new URL("core.wasm", location.href), { env: glFunctions({ getExtension: () => null }, () => core) });
-  const files = await (await fetch("assets/scenes.json")).json();
+  const files = JSON.parse(new TextDecoder().decode(await fetched(new URL("assets/scenes.json", location.href))));
   for (const [path, text] of Object.entries(files)) core.call("put_file", "/assets/" + path, text);
   // As a page does: files that a scene names are fetched.
   const open = async (text) => {

@@ -1,7 +1,7 @@
 // The engine: core.wasm, a WebGL2 context and the loop that draws when there is something to draw. It runs in a worker where the browser lets
 // one draw (worker.js), else in the page; it knows nothing of the page's controls.
 
-import { Failure, Module } from "./module.js";
+import { Failure, Module, fetched } from "./module.js";
 import { deviceString, glFunctions } from "./webgl.js";
 
 const LEAST_SCALE = 0.25;      // of the canvas's pixels in each direction, in motion
@@ -49,7 +49,7 @@ export class Engine {
     const imports = { env: this.functions };
     const [core, scenes] = await Promise.all([
       Module.load(new URL("core.wasm", base), imports),
-      fetch(new URL("assets/scenes.json", base)).then((response) => response.json()),
+      fetched(new URL("assets/scenes.json", base)).then((bytes) => JSON.parse(new TextDecoder().decode(bytes))),
     ]);
     this.core = core;
     for (const [path, text] of Object.entries(scenes)) core.call("put_file", SHIPPED + path, text);

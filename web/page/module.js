@@ -11,9 +11,7 @@ export class Module {
   static async load(url, imports = {}) {
     const made = new Module();
     const all = { wasi_snapshot_preview1: made.#system(), page: made.#page(), ...imports };
-    const response = await fetch(`${url}.gz`);
-    if (!response.ok) throw new Failure(`${url}.gz: ${response.status} ${response.statusText}`);
-    const { instance } = await WebAssembly.instantiate(await unpacked(response), all);
+    const { instance } = await WebAssembly.instantiate(await fetched(url), all);
     made.exports = instance.exports;
     made.exports._initialize();
     return made;
@@ -106,6 +104,13 @@ export class Module {
       },
     };
   }
+}
+
+// The bytes of a file that is there packed.
+export async function fetched(url) {
+  const response = await fetch(`${url}.gz`);
+  if (!response.ok) throw new Failure(`${url}.gz: ${response.status} ${response.statusText}`);
+  return unpacked(response);
 }
 
 // A server may have unpacked it already, and say so or not.
