@@ -8,7 +8,8 @@
 namespace nullscope {
 namespace {
 
-constexpr std::string_view kPolarised = "polarised light: of a disc or a medium with a polarisation",
+constexpr std::string_view kPolarised =
+                               "disc.polarisation = \"scattering\" or \"synchrotron\", or medium.polarisation = \"on\"",
                            kOfField = "polarisation = \"synchrotron\"";
 
 bool is_thermal(const Scene& s) { return s.disc->emission == DiscEmission::kThermal; }
