@@ -11,6 +11,7 @@
 #include "render/medium_numbers.h"
 #include "scene/projection.h"
 #include "scene/ray.h"
+#include "scene/warp_mesh.h"
 #include "sky/packed_sky.h"
 #include "sky/point_stars.h"
 #include "table/disc_light.h"
