@@ -257,7 +257,8 @@ void add_astronomy(nb::module_& m) {
         "stokes",
         [](const Scene& scene, const nb::dict& options, const nb::object& progress) {
             CameraSpec camera;
-            return image_array(captured(scene, asked_of(options), progress, false, camera).stokes);
+            cli::Captured drawn = captured(scene, asked_of(options), progress, false, camera);
+            return image_array(drawn.stokes);
         },
         nb::arg("scene"), nb::arg("options"), nb::arg("progress").none(),
         "I, Q, U, V as in an EXR, shape (height, width, 4); (0, 0, 0) where light is not polarised.");
