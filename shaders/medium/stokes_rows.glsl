@@ -1,6 +1,7 @@
 // What a picture asks of polarised light along a ray, as rows of core/stokes_transfer.glsl: its own row, which begins with what a polariser
 // lets through, and for Stokes parameters those of Q, U and V.
 #include "core/stokes_transfer.glsl"
+#include "effect/luminance.glsl"
 #include "shared/frame.glsl"
 
 #define STOKES_MOST_TURN 1.0e4   // rad in a sample: more has no digits in a float
@@ -41,7 +42,7 @@ StokesSight stokes_through(StokesSight sight, vec3 light, float depth, vec3 emit
     sight.light += max(dot(rows.mean, source), 0.0) * light;
     sight.row = rows.behind;
 #ifdef NEEDS_STOKES
-    float luminance = dot(light, vec3(0.2126, 0.7152, 0.0722));
+    float luminance = luminance_of(light);
     StokesRows q = stokes_rows(sight.row_q, factors, a, rho);
     StokesRows u = stokes_rows(sight.row_u, factors, a, rho);
     StokesRows v = stokes_rows(sight.row_v, factors, a, rho);
@@ -56,7 +57,7 @@ StokesSight stokes_through(StokesSight sight, vec3 light, float depth, vec3 emit
 // With light from behind that is not polarised; the row's own is row.x times it.
 StokesSight stokes_of_behind(StokesSight sight, vec3 light) {
 #ifdef NEEDS_STOKES
-    sight.stokes += dot(light, vec3(0.2126, 0.7152, 0.0722)) * vec3(sight.row_q.x, sight.row_u.x, sight.row_v.x);
+    sight.stokes += luminance_of(light) * vec3(sight.row_q.x, sight.row_u.x, sight.row_v.x);
 #endif
     return sight;
 }

@@ -1,5 +1,6 @@
 // Q and U of the light of the disc and of its hot spots beside it, where something asks for them.
 #ifdef NEEDS_POLARISATION
+#include "effect/luminance.glsl"
 #include "effect/polariser.glsl"
 #include "object/disc_polarisation.glsl"
 #ifdef EFFECT_THERMAL_DISC
@@ -13,7 +14,7 @@ void disc_stokes_times(float factor) { disc_stokes *= factor; }
 
 // Light of this polarisation, as the polariser lets it through but for the half that it takes of all light.
 vec3 polarised_light(vec3 light, vec2 polarised) {
-    disc_stokes += dot(light, vec3(0.2126, 0.7152, 0.0722)) * polarised;
+    disc_stokes += luminance_of(light) * polarised;
     return light * polariser_share(polarised);
 }
 

@@ -39,12 +39,15 @@ Result<DiscPolarisation> DiscPolarisation::make(const Scene& scene) {
     return made;
 }
 
+Result<CameraAxes> camera_axes(const Spacetime& spacetime, const CameraSpec& camera) {
+    TRY(pair, ingoing_hat_pair(spacetime, camera));
+    return CameraAxes{camera, long_tetrad(*pair)};
+}
+
 Result<CameraAxes> DiscPolarisation::axes_of(const CameraSpec& camera) const {
-    CameraAxes from{camera, {}};
-    if (!light_.aberration) from.camera.velocity = {};
-    TRY(pair, ingoing_hat_pair(*spacetime_, from.camera));
-    from.tetrad = long_tetrad(*pair);
-    return from;
+    CameraSpec still = camera;
+    if (!light_.aberration) still.velocity = {};
+    return camera_axes(*spacetime_, still);
 }
 
 std::optional<Polarised> DiscPolarisation::at(const RayQuery& query, int crossing) const {

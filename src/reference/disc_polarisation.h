@@ -23,6 +23,9 @@ struct CameraAxes {
     Tetrad tetrad;
 };
 
+// Errors: no such observer there.
+Result<CameraAxes> camera_axes(const Spacetime& spacetime, const CameraSpec& camera);
+
 class DiscPolarisation {
 public:
     // The scene's camera is not asked for. Errors: a scene without a disc that is polarised, a metric that the reference does not take, light

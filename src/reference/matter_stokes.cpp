@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "observer/pose.h"
 #include "plan/medium.h"
 #include "reference/carrying_place.h"
 #include "reference/stokes_coefficients.h"
 #include "scene/known_object.h"
-#include "spacetime/axial_metric.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::reference {
@@ -69,9 +67,8 @@ Transfer transfer(const Mueller& k) {
 
 // Boyer and Lindquist's azimuth less the ingoing one, outside the horizon.
 double azimuth_ahead(const Spacetime& spacetime, double r) {
-    const AxialMetric* axial = spacetime.axial();
     const auto hole = medium_hole(spacetime);
-    if (axial == nullptr || !hole || !(hole->a > 0)) return 0;
+    if (!hole || !(hole->a > 0)) return 0;
     return -hole->a / (hole->outer - hole->inner) * std::log((r - hole->outer) / (r - hole->inner));
 }
 
@@ -108,12 +105,7 @@ Result<MatterStokes> MatterStokes::make(const Scene& scene) {
     return made;
 }
 
-Result<CameraAxes> MatterStokes::axes_of(const CameraSpec& camera) const {
-    CameraAxes from{camera, {}};
-    TRY(pair, ingoing_hat_pair(*spacetime_, from.camera));
-    from.tetrad = long_tetrad(*pair);
-    return from;
-}
+Result<CameraAxes> MatterStokes::axes_of(const CameraSpec& camera) const { return camera_axes(*spacetime_, camera); }
 
 EvenMatter MatterStokes::matter_at(const CarriedAxes& axes, double azimuth, double way) const {
     const CarryingPlace place(*carrying_, axes.place);
@@ -155,7 +147,7 @@ EvenMatter MatterStokes::matter_at(const CarriedAxes& axes, double azimuth, doub
             {light, light * q, light * u2, light * v}};
 }
 
-RayStokes MatterStokes::at(const CameraAxes& from, Vec3 direction, double panels) const {
+RayStokes MatterStokes::at(const CameraAxes& from, Vec3 direction) const {
     CarriedRay ray(*carrying_, from.camera, from.tetrad, direction);
     const double azimuth = from.camera.phi - azimuth_ahead(*spacetime_, from.camera.r), farthest = model_->farthest();
     RayStokes seen{};
@@ -167,7 +159,7 @@ RayStokes MatterStokes::at(const CameraAxes& from, Vec3 direction, double panels
         const double beyond = place.r() - farthest;
         const Vec3 to_camera{here.k[1], here.k[2], here.k[3]};
         if (place.r() < nearest_ || (beyond > 0 && dot(to_camera, here.place) < 0)) break;
-        const double panel = model_->panel({place.r(), place.direction()}) / panels;
+        const double panel = model_->panel({place.r(), place.direction()});
         if (!ray.advance(std::max(panel, kFarStep * beyond))) break;
         if (beyond <= 0) {  // as far as halfway to the places beside it
             const EvenLight found = even_light(matter_at(here, azimuth, 0.5 * (ray.affine() - before)));

@@ -37,9 +37,8 @@ public:
     // the reference does not carry axes in, what the medium reads.
     static Result<MatterStokes> make(const Scene& scene);
     Result<CameraAxes> axes_of(const CameraSpec& camera) const;  // errors: no such observer there
-    // In the units of linear light of colour 1. direction: where the photon comes from, along the camera's right, up and backward, unit. panels: pieces over the
-    // usual ones (matter_model.h). Some 10 ms.
-    RayStokes at(const CameraAxes& from, Vec3 direction, double panels = 1) const;
+    // In the units of linear light of colour 1. direction: where the photon comes from, along the camera's right, up and backward, unit. Some 10 ms.
+    RayStokes at(const CameraAxes& from, Vec3 direction) const;
 
 private:
     MatterStokes() = default;

@@ -62,8 +62,7 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
         defines.emplace_back(effect_row(effect).define);
         defines.push_back("BLOCK_" + defines.back().substr(std::string_view("EFFECT_").size()));
     }
-    if (effects.contains(Effect::kMediumPolarisation)) defines.emplace_back("BLOCK_SCREEN");
-    if (effects.contains(Effect::kPolarisation)) defines.emplace_back("BLOCK_SCREEN");
+    if (polarises(effects)) defines.emplace_back("BLOCK_SCREEN");
     if (takes_samples(effects)) defines.emplace_back("NEEDS_SAMPLING");
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (const MediumModel* model = model_of(effects)) {

@@ -10,9 +10,9 @@ namespace {
 
 // rows: RGBA, from the bottom.
 void darken(const Image<unsigned char>& mark, std::vector<unsigned char>& rows) {
-    const std::size_t stride = static_cast<std::size_t>(mark.width) * 4;
+    const std::size_t row_bytes = static_cast<std::size_t>(mark.width) * 4;
     for (int y = 0; y < mark.height; ++y) {
-        unsigned char* row = rows.data() + stride * static_cast<std::size_t>(mark.height - 1 - y);
+        unsigned char* row = rows.data() + row_bytes * static_cast<std::size_t>(mark.height - 1 - y);
         for (int x = 0; x < mark.width; ++x)
             for (int c = 0; c < 3; ++c) {
                 unsigned char& value = row[4 * x + c];
