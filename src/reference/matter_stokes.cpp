@@ -1,5 +1,7 @@
 #include "reference/matter_stokes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
