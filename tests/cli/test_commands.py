@@ -17,7 +17,7 @@ from xml.etree import ElementTree
 import support
 from image_bytes import png, png_chunks
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench rays", "bench soak", "plan", "scenes", "info", "figure", "path", "lightcurve", "light-time", "profile", "spectrum", "landmarks", "manual"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench rays", "bench soak", "plan", "scenes", "info", "figure", "path", "flux", "lightcurve", "light-time", "profile", "spectrum", "landmarks", "manual"]
 
 
 def png_size(data):
@@ -154,6 +154,27 @@ class Commands(support.CliTest):
         self.assertIn("retrograde ISCO", lines)
         self.assertNotIn("critical", lines)   # there is none
         self.refused("landmarks", "no-such-scene", says=["no-such-scene"])
+
+    def test_flux(self):
+        def jansky(scene):
+            said = self.run_nullscope("flux", scene, "--size", "32x18").out
+            self.assertRegex(said, r"^[0-9.e+-]+ Jy at 230 GHz\n$")
+            return float(said.split()[0])
+
+        there = str(self.folder / "there.toml")
+        shipped = jansky("m87-synchrotron")
+        for factor in (0.3, 40):   # the second by matter that is opaque at places
+            goal = "%.9g" % (factor * shipped)
+            found = self.run_nullscope("flux", "m87-synchrotron", "--size", "32x18", "--target", goal, "-o", there)
+            scale = float(found.out.split()[2])
+            self.assertEqual(factor < 1, scale < 1)
+            self.assertIn("density_scale = %.9g" % scale, Path(there).read_text())
+            self.assertAlmostEqual(jansky(there) / float(goal), 1, delta=2e-4)
+            self.assertLessEqual(int(re.search(r"(\d+) pictures", found.out)[1]), 15)
+        beyond = self.run_nullscope("flux", "m87-synchrotron", "--size", "8x8", "--target", "1e12", status=2).err.splitlines()[-1]
+        self.assertRegex(beyond, "^nullscope: .*density_scale = 1e\\+12 .*a lesser flux$")
+        self.refused("flux", "m87-synchrotron", "-o", "same.toml", says=["-o", "--target"])
+        self.refused("flux", "gargantua", says=["no flux in Jy", "sky.kind"])
 
     def test_plan_says_why(self):
         text = '[camera]\nvelocity = [0.0, 0.0, 0.5]\n[sky]\nkind = "black"\n[disc]\nopacity = 0.5\n'

@@ -1,0 +1,191 @@
+// nullscope flux: the flux density of a scene's matter, and the density of matter at which it has a given one.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "cli/command.h"
+#include "command/arguments.h"
+#include "command/capture_picture.h"
+#include "command/flux.h"
+#include "command/session.h"
+#include "plan/medium_model.h"
+#include "scenefile/scene_edit.h"
+#include "scenefile/scene_keys.h"
+#include "scenefile/scene_writer.h"
+
+namespace nullscope::cli {
+namespace {
+
+constexpr double kLeastFlux = 1e-12, kMostFlux = 1e12;  // Jy
+
+struct FluxOptions {
+    std::string scene, output, size, context = "auto", renderer = "gl";
+    std::optional<double> target;  // Jy
+    std::optional<int> samples;    // reference alone
+    double tolerance = 1e-4;       // relative to target
+};
+
+// The flux at densities of the scene's matter; each picture's is reported on standard error.
+class FluxOfDensity {
+public:
+    FluxOfDensity(PictureDrawer draw, Scene scene, FluxUnit unit)
+        : draw_(std::move(draw)), scene_(std::move(scene)), unit_(unit) {}
+
+    // Errors: the scene's rules out this density; a file, or drawing.
+    Result<double> at(double density_scale) {
+        scene_.medium->density_scale = density_scale;
+        TRY(checked, savable(scene_));
+        TRY(drawn, draw_(*checked));
+        return flux_of(drawn->linear, unit_, {0, 0, drawn->linear.width, drawn->linear.height});
+    }
+
+private:
+    PictureDrawer draw_;
+    Scene scene_;
+    FluxUnit unit_;
+};
+
+struct DensityFound {
+    double scale, jansky;
+    int pictures;
+};
+
+// The root of ln(flux/target) as a function of ln(density scale): a bracket in growing steps from the scene's own, then TOMS 748 (Alefeld,
+// Potra and Shi 1995). Where the flux is not monotonic (opaque matter), the crossing that this meets first. Cost: some 6 to 12 pictures.
+class DensitySearch {
+public:
+    DensitySearch(FluxOfDensity& flux, const FluxOptions& options) : flux_(flux), options_(options) {}
+
+    Result<DensityFound> from(double scale) {
+        constexpr double kFirstStep = 1.0, kGrowth = 2.0;
+        const KeyRange range = key_range("medium.density_scale");
+        const double least = std::log(range.low), most = std::log(range.high);
+        double here = std::log(scale), excess = excess_at(here), step = kFirstStep;
+        while (!done_) {
+            const double next = std::clamp(here + (excess < 0 ? step : -step), least, most);
+            if (next == here) return out_of_reach(here, excess);
+            const double there = excess_at(next);
+            if (!done_ && (there < 0) != (excess < 0)) {
+                refine(std::minmax(std::pair(here, excess), std::pair(next, there)));
+                break;
+            }
+            here = next, excess = there, step *= kGrowth;
+        }
+        if (failed_) return *failed_;
+        return found_;
+    }
+
+private:
+    // 0 where the flux is the target's within the tolerance, or where a picture failed: either ends the search.
+    double excess_at(double log_scale) {
+        constexpr double kDark = -700;  // stands for ln 0
+        const double scale = std::exp(log_scale);
+        const auto flux = flux_.at(scale);
+        if (!flux) return failed_ = flux.error(), done_ = true, 0.0;
+        found_ = {scale, *flux, found_.pictures + 1};
+        fmt::print(stderr, "density_scale = {:.6g}: {:.6g} Jy\n", scale, *flux);
+        const double excess = *flux > 0 ? std::log(*flux / *options_.target) : kDark;
+        done_ = std::abs(excess) <= options_.tolerance;
+        return done_ ? 0.0 : excess;
+    }
+
+    void refine(const std::pair<std::pair<double, double>, std::pair<double, double>>& ends) {
+        std::uintmax_t most_pictures = 50;
+        const auto near = [this](double a, double b) { return done_ || std::abs(b - a) < 1e-12; };
+        boost::math::tools::toms748_solve([this](double x) { return done_ ? 0.0 : excess_at(x); }, ends.first.first,
+                                          ends.second.first, ends.first.second, ends.second.second, near,
+                                          most_pictures);
+    }
+
+    Error out_of_reach(double log_scale, double excess) const {
+        return bad_input(fmt::format("--target {} Jy: at density_scale = {:g} it is still {:.4g} Jy", *options_.target,
+                                     std::exp(log_scale), found_.jansky),
+                         excess < 0 ? "a lesser flux" : "a greater flux");
+    }
+
+    FluxOfDensity& flux_;
+    const FluxOptions& options_;
+    std::optional<Error> failed_;
+    DensityFound found_{};
+    bool done_ = false;
+};
+
+// The scene with its density, as a file where one is asked for.
+Status tell_found(const FluxOptions& options, Scene scene, const DensityFound& found) {
+    scene.medium->density_scale = found.scale;
+    fmt::print("density_scale = {:.9g}\n{:.6g} Jy at {} GHz; {} pictures\n", found.scale, found.jansky,
+               scene.medium->frequency_GHz, found.pictures);
+    if (options.output.empty()) return Done{};
+    const auto folder = std::filesystem::absolute(options.output).parent_path();
+    TRY(written, write_text_atomically(options.output, scene_file_text(scene, folder)));
+    fmt::print("{}\n", options.output);
+    return Done{};
+}
+
+Status check(const FluxOptions& options, const Scene& scene) {
+    if (!flux_unit(scene, scene.split || scene.camera.stereo != Stereo::kOff))
+        return bad_input(fmt::format("{}: its picture has no flux in Jy", options.scene),
+                         "a scene whose only light is matter's at one frequency ([medium] but no gas, sky.kind = "
+                         "\"black\", no [disc], no bodies) about an [object] of known mass and distance");
+    if (options.target && !has_share(scene, kDensityScale))
+        return bad_input(
+            fmt::format("{}: --target changes density_scale, which this [medium] does not have", options.scene),
+            std::string(kinds_with(kDensityScale)));
+    if (!options.output.empty() && !options.target) return bad_input("-o: the scene is as it was", "with --target");
+    if (options.samples && options.renderer != "reference")
+        return bad_input("--samples: the shader takes one ray a pixel", "with --renderer reference");
+    return Done{};
+}
+
+Status run_flux(const FluxOptions& options) {
+    TRY(scene, load_scene_sized(options.scene, options.size));
+    TRY(good, check(options, *scene));
+    std::optional<Session> session;
+    if (options.renderer == "gl") {
+        TRY(opened, open_session(options.context));
+        session = std::move(*opened);
+    }
+    DrawOptions each;
+    each.samples = options.samples.value_or(1);
+    TRY(drawer, picture_drawer(session ? &*session : nullptr, *scene, each));
+    FluxOfDensity flux(std::move(*drawer), *scene, *flux_unit(*scene, false));
+    if (!options.target) {
+        TRY(jansky, flux.at(scene->medium->density_scale));
+        fmt::print("{:.6g} Jy at {} GHz\n", *jansky, scene->medium->frequency_GHz);
+        return Done{};
+    }
+    TRY(found, DensitySearch(flux, options).from(scene->medium->density_scale));
+    return tell_found(options, std::move(*scene), *found);
+}
+
+}  // namespace
+
+void add_flux(Command& parent) {
+    auto [command, options] = add_command<FluxOptions>(
+        parent, "flux", "Flux density (Jy) of a scene's matter; with --target, the density at which it has that one",
+        run_flux);
+    required_option(command, "scene", options.scene,
+                    "Scene file, or the name of a built-in scene, whose only light is matter's at one frequency, about "
+                    "an object of known mass and distance");
+    number_option(command, "--target", options.target, kLeastFlux, kMostFlux,
+                  "Flux density to reach, Jy, by medium.density_scale (of a simulation's dump: its unit of mass)");
+    number_option(command, "--tolerance", options.tolerance, 1e-6, 0.1,
+                  "Relative difference to --target that is enough");
+    command.add_option("-o,--output", &options.output, "With --target: scene file to write, with that density_scale");
+    command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
+    renderer_option(command, options.renderer);
+    number_option(command, "--samples", options.samples, 1, 16,
+                  "For --renderer reference: N x N rays per pixel (default 1)");
+    context_option(command, options.context);
+}
+
+}  // namespace nullscope::cli
