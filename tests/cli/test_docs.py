@@ -17,6 +17,7 @@ import sys
 from pathlib import Path
 
 import support
+from image_bytes import png
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = sorted([*(ROOT / "docs").rglob("*.md"), *ROOT.glob("*.md")])
@@ -222,6 +223,7 @@ class Docs(support.CliTest):
                 continue
             place = self.folder / short(page).replace("/", "-")
             place.mkdir()
+            (place / "galactic.png").write_bytes(png(64, 32, (b"\0" + b"\x40\x80\xc0" * 64) * 32))   # what a reader brings
             for script in scripts_of(page):
                 if shutil.which("ffmpeg") is None and re.search(r"\.(mp4|mov)\b", script):
                     script = "\n".join(line for line in script.splitlines() if not re.search(r"\.(mp4|mov)\b", line))
