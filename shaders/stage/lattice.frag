@@ -7,6 +7,7 @@
 #include "stage/lattice.glsl"
 
 uniform int lattice_drawn;   // px between the nodes of this one
+uniform int lattice_drawn_texels;
 
 out vec4 colour;
 
@@ -20,8 +21,8 @@ vec4 lattice_traced(vec2 pixel) {
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    vec2 node = vec2(float(texel.x / 2), float(texel.y));
-    vec2 place = float(lattice_drawn) * (node - 1.0 + float(texel.x % 2) * probe_part(node));
+    vec2 node = vec2(float(texel.x / lattice_drawn_texels), float(texel.y));
+    vec2 place = float(lattice_drawn) * (node - 1.0 + float(texel.x % lattice_drawn_texels) * probe_part(node));
     LatticeLight found = lattice_light(place);
     colour = lattice_texel(found.light, found.through, found.escapes);
 #ifndef LATTICE_TOLD

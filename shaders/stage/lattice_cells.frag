@@ -1,5 +1,6 @@
 // Which cells of a lattice tell the light in them (stage/lattice.glsl): where at a place in them, and in the four cells beside them, what is
-// between the nodes is as the light of that place's own ray, and all of these rays end on the sky, or none.
+// between the nodes is as the light of that place's own ray, and all of these rays end on the sky, or none. Of a lattice of nodes alone: where
+// there is little difference between its cubic and its line.
 #include "effect/edge.glsl"
 #include "stage/lattice.glsl"
 
@@ -10,7 +11,7 @@ out vec4 colour;
 
 bool tells_probe(ivec2 cell, bool cubic) {
     vec4 found = lattice_between(cell - 1, probe_part(vec2(cell)), cubic);
-    vec4 there = lattice_probe(cell);
+    vec4 there = lattice_texels > 1 ? lattice_probe(cell) : lattice_between(cell - 1, probe_part(vec2(cell)), false);
     float error = 0.001 * float(lattice_error);
     vec3 off = abs(found.rgb - there.rgb);
     float most = max(there.r, max(there.g, there.b)) + LATTICE_DARKEST / edge_exposure();
@@ -19,7 +20,7 @@ bool tells_probe(ivec2 cell, bool cubic) {
 
 // Rays of the four by four nodes about a cell, or of its own, and of the place in it.
 bool ends_alike(ivec2 cell, bool cubic) {
-    bool sky = lattice_probe(cell).a >= 0.0;
+    bool sky = (lattice_texels > 1 ? lattice_probe(cell) : lattice_node(cell)).a >= 0.0;
     bool alike = true;
     for (int k = 0; k < 16; ++k) {
         ivec2 node = ivec2(k % 4, k / 4) - 1;
@@ -31,7 +32,7 @@ bool ends_alike(ivec2 cell, bool cubic) {
 
 void main() {
     ivec2 low = ivec2(1);   // cells with nodes on all sides
-    ivec2 high = textureSize(lattice_texture, 0) / ivec2(2, 1) - 3;
+    ivec2 high = textureSize(lattice_texture, 0) / ivec2(lattice_texels, 1) - 3;
     ivec2 cell = clamp(ivec2(gl_FragCoord.xy), low, high);
     bool cubic = ends_alike(cell, true);
     bool tells = cell == ivec2(gl_FragCoord.xy) && ends_alike(cell, false) && tells_probe(cell, cubic);

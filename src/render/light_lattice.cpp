@@ -16,18 +16,22 @@ void LightLattice::resize(const std::vector<Pass>& passes, int width, int height
         none_ = {};
         return;
     }
-    height_ = height;
-    for (std::size_t i = 0; i < kSides.size(); ++i) {
-        // Of odd sizes: llvmpipe compiles once more for textures whose sides are powers of two.
-        const int across = nodes(width, kSides[i]), up = nodes(height, kSides[i]) | 1;
-        gl::Target& target = levels_[i].nodes;
-        if (target.width == (2 * across | 1) && target.height == up) continue;
-        target = gl::make_target(2 * across | 1, up, gl::Format::kRgba32F);
-        levels_[i].cells = gl::make_target(across | 1, up, gl::Format::kRgba32F);
-    }
+    width_ = width, height_ = height;
+    for (std::size_t i = 0; i < kSides.size(); ++i) size(i);
     if (none_.nodes.width > 0) return;
     none_.nodes = gl::make_target(3, 5, gl::Format::kRgba32F);
     none_.cells = gl::make_target(5, 5, gl::Format::kRgba32F);
+}
+
+void LightLattice::size(std::size_t number) {
+    Level& level = levels_[number];
+    level.texels = draft_ && number + 1 == kSides.size() ? 1 : 2;
+    // Of odd sizes: llvmpipe compiles once more for textures whose sides are powers of two.
+    const int columns = nodes(width_, kSides[number]), across = level.texels * columns | 1,
+              up = nodes(height_, kSides[number]) | 1;
+    if (level.nodes.width == across && level.nodes.height == up) return;
+    level.nodes = gl::make_target(across, up, gl::Format::kRgba32F);
+    level.cells = gl::make_target(columns | 1, up, gl::Format::kRgba32F);
 }
 
 void LightLattice::begin() {
@@ -49,6 +53,8 @@ void LightLattice::extend(std::size_t number, const Programs& programs, int last
     bind(number > 0 ? levels_[number - 1] : none_);
     const auto draw_nodes = [&](const gl::Program& program) {
         gl::set_integer(program, "lattice_side", number > 0 ? kSides[number - 1] : 0);
+        gl::set_integer(program, "lattice_texels", number > 0 ? levels_[number - 1].texels : 1);
+        gl::set_integer(program, "lattice_drawn_texels", level.texels);
         gl::set_integer(program, "lattice_drawn", side);
         gl::set_integer(program, "lattice_across", level.nodes.width);
         gl::set_integer(program, "lattice_up", up);
@@ -59,6 +65,7 @@ void LightLattice::extend(std::size_t number, const Programs& programs, int last
     if (number > 0) draw_nodes(programs.told);
     // The cells of these rows: those above their nodes are not there yet.
     gl::bind_texture_2d(first_, level.nodes.colours.front());
+    gl::set_integer(programs.cells, "lattice_texels", level.texels);
     gl::set_integer(programs.cells, "lattice_error",
                     !draft_                 ? kError
                     : side == kSides.back() ? kFinestDraftError
@@ -78,6 +85,10 @@ void LightLattice::bind(const Level& level) {
     gl::bind_texture_2d(first_ + 1, level.cells.colours.front());
 }
 
-void LightLattice::name(const gl::Program& program) { gl::set_integer(program, "lattice_side", kSides.back()); }
+void LightLattice::tell(const gl::Program& program) const {
+    if (none_.nodes.width == 0) return;
+    gl::set_integer(program, "lattice_side", kSides.back());
+    gl::set_integer(program, "lattice_texels", levels_.back().texels);
+}
 
 }  // namespace nullscope

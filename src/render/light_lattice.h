@@ -15,7 +15,7 @@ public:
     void resize(const std::vector<Pass>& passes, int width, int height);
 
     // How far the light that they tell may be off where it is compared with a ray's: thousandths of it. Of drafts, and of their finest lattice,
-    // whose faults are smaller than 4 px.
+    // whose faults are smaller than 4 px: there the cubic is compared with the line, and there are rays through its nodes alone.
     static constexpr int kError = 5, kDraftError = 50, kFinestDraftError = 200;
     void draft(bool wanted) { draft_ = wanted; }
 
@@ -31,22 +31,24 @@ public:
     // where it is not.
     void extend(const Programs& programs, int last);
 
-    // The finest, to units from first on, in the order of kSamplers; and to a program that reads it.
+    // The finest, to units from first on, in the order of kSamplers; and to a program that reads it, after extend().
     static constexpr const char* kSamplers[] = {"lattice_texture", "cell_texture"};
     void bind(int first);
-    static void name(const gl::Program& program);
+    void tell(const gl::Program& program) const;
 
 private:
     static constexpr std::array kSides = {16, 8, 4};  // px between nodes
     struct Level {
         gl::Target nodes, cells;
+        int texels = 2;  // a node: it, and a place in its cell
         int rows = 0;  // of the picture, that are told
     };
     void extend(std::size_t number, const Programs& programs, int last);
     void bind(const Level& level);
+    void size(std::size_t number);  // the level's targets, for texels
 
     bool draft_ = false;
-    int first_ = 0, height_ = 0;
+    int first_ = 0, width_ = 0, height_ = 0;
     std::array<Level, kSides.size()> levels_;
     Level none_;  // read while the coarsest is drawn
 };

@@ -85,7 +85,6 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     for (const auto& [sampler, unit] : kPassSamplers) gl::set_integer(made, sampler, unit);
     for (int i = 0; const char* sampler : PictureTiles::kSamplers) gl::set_integer(made, sampler, kTileUnit + i++);
     for (int i = 0; const char* sampler : LightLattice::kSamplers) gl::set_integer(made, sampler, kTileUnit + i++);
-    LightLattice::name(made);
     return programs_.emplace(key, std::move(made)).first->second;
 }
 
@@ -206,6 +205,7 @@ void Renderer::draw_samples(int samples, int at_once, Draw draw) {
 void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
                             const gl::Layer& layer) {
     const gl::Program& built = program(pass.stage, pass.output);
+    lattice_.tell(built);
     if (pass.output == Output::kLayers) gl::set_integer(built, "layer_shown", static_cast<int>(layer_));
     if (is_in_tiles(pass.stage))
         gl::draw_tiles(built, empty_, picture, width, height, kTileSide, first, last, layer);
@@ -222,6 +222,7 @@ void Renderer::refine_rows(const std::vector<Pass>& list, int width, int height,
         for (const Pass& pass : list) {
             if (blocks.count == 0 || !draws_picture(pass.stage)) continue;
             const gl::Program& built = program(pass.stage, pass.output);
+            lattice_.tell(built);
             draw_samples(kRefined[i], kRefined[i] * kRefined[i], [&](gl::Layer layer) {
                 layer.marked = gl::Marked::kOnly;
                 gl::draw_listed_tiles(built, empty_, linear_.framebuffer.id(), width, height, kTileSide, edges_.first(),
