@@ -1,6 +1,6 @@
 // Which cells of a lattice tell the light in them (stage/lattice.glsl): where at a place in them, and in the four cells beside them, what is
 // between the nodes is as the light of that place's own ray, and all of these rays end on the sky, or none. Of a lattice of nodes alone: where
-// there is little difference between its cubic and its line.
+// there is little difference between its cubic and its line, or between its own nodes.
 #include "effect/edge.glsl"
 #include "stage/lattice.glsl"
 
@@ -9,13 +9,18 @@ uniform int lattice_error;      // thousandths of the light, and of the light be
 
 out vec4 colour;
 
-bool tells_probe(ivec2 cell, bool cubic) {
-    vec4 found = lattice_between(cell - 1, probe_part(vec2(cell)), cubic);
-    vec4 there = lattice_texels > 1 ? lattice_probe(cell) : lattice_between(cell - 1, probe_part(vec2(cell)), false);
+bool is_near(vec4 found, vec4 there) {
     float error = 0.001 * float(lattice_error);
     vec3 off = abs(found.rgb - there.rgb);
     float most = max(there.r, max(there.g, there.b)) + LATTICE_DARKEST / edge_exposure();
     return max(off.r, max(off.g, off.b)) < error * most && abs(found.a - there.a) < error;
+}
+
+bool tells_probe(ivec2 cell, bool cubic) {
+    vec4 found = lattice_between(cell - 1, probe_part(vec2(cell)), cubic);
+    if (lattice_texels > 1) return is_near(found, lattice_probe(cell));
+    if (cubic) return is_near(found, lattice_between(cell - 1, probe_part(vec2(cell)), false));
+    return is_near(found, lattice_node(cell)) && is_near(found, lattice_node(cell + 1));
 }
 
 // Rays of the four by four nodes about a cell, or of its own, and of the place in it.

@@ -210,7 +210,7 @@ void add_bench_frames(Command& bench) {
     command.add_flag(
         "--moving", &options.moving,
         "Instead: a frame in motion, of a camera whose radius changes, and what the host adds to it, beside one at "
-        "rest; light of matter is interpolated to 5 to 20 % in motion, to 0.5 % at rest");
+        "rest; light of matter is interpolated to some per cent in motion, to 0.5 % at rest");
     command.add_flag("--refined", &options.refined,
                      "Also the picture at rest, whose edges have more rays, beside the one in flight");
     command.add_flag("--effects", &options.effects,

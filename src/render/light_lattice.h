@@ -15,8 +15,9 @@ public:
     void resize(const std::vector<Pass>& passes, int width, int height);
 
     // How far the light that they tell may be off where it is compared with a ray's: thousandths of it. Of drafts, and of their finest lattice,
-    // whose faults are smaller than 4 px: there the cubic is compared with the line, and there are rays through its nodes alone.
-    static constexpr int kError = 5, kDraftError = 50, kFinestDraftError = 200;
+    // which has rays through its nodes alone: how far cubic and line may differ, or a cell's nodes next to the shadow's edge (4 px of beads on
+    // the ring without that).
+    static constexpr int kError = 5, kDraftError = 50, kFinestDraftError = 600;
     void draft(bool wanted) { draft_ = wanted; }
 
     // Before the picture is drawn.
@@ -41,7 +42,7 @@ private:
     struct Level {
         gl::Target nodes, cells;
         int texels = 2;  // a node: it, and a place in its cell
-        int rows = 0;  // of the picture, that are told
+        int rows = 0;    // of the picture, that are told
     };
     void extend(std::size_t number, const Programs& programs, int last);
     void bind(const Level& level);

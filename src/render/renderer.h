@@ -71,8 +71,8 @@ public:
     // Whether pixels on edges get more rays, where the scene calls for it; the programs are the same.
     void refine(bool wanted) { refining_ = wanted; }
 
-    // Whether the light of matter is interpolated for pictures in motion: to 5 %, between rays 4 px apart to 20 %, in place of 0.5 %. The programs
-    // are the same.
+    // Whether the light of matter is interpolated for pictures in motion: to 5 %, between rays 4 px apart as their neighbours allow, in place of
+    // 0.5 %. The programs are the same.
     void draft(bool wanted) { lattice_.draft(wanted); }
 
     // How the images of point stars in a new view about a rotating hole are found, from the next prepare() on.
