@@ -9,5 +9,6 @@
 
 MediumMatter medium_matter(MediumPlace place) {
     MediumMatter matter = medium_formulas(medium_in_sphere(place), azimuth_turned(place.at, place.turn), place.r, medium_time(place));
+    matter.density *= FORMULA_DENSITY;
     return medium_moving(place, medium_warm(place, matter), matter.velocity);
 }

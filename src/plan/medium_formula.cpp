@@ -77,7 +77,7 @@ const MediumModel kFormulaModel{
                "there is a [medium] of kind \"formula\"",
                "a march along each ray, in samples of the formulas",
                {Slot::kMedium, "medium/formula.glsl"}},
-    .shares = kOuter | kSphere | kLaws | kWarmth,
+    .shares = kOuter | kSphere | kDensityScale | kLaws | kWarmth,
     .traits = {.turn = true, .any_density = true},
     .keys = formula_keys,
     .words = [](const MediumSpec& m) { return fmt::format("of density {}", m.formulas.density); },
@@ -86,8 +86,13 @@ const MediumModel kFormulaModel{
     .spans = sphere_spans,
     .moves = formula_moves,
     .faults = nullptr,
-    .numbers = kSphereNumbers,
-    .values = sphere_values,
+    .numbers = "SPHERE_RADIUS SPHERE_HEIGHT SPHERE_STEP FORMULA_DENSITY",
+    .values =
+        [](const MediumFrame& f) {
+            std::vector<double> values = sphere_values(f);
+            values.push_back(f.medium().density_scale);
+            return values;
+        },
     .before = massive_hole,
     .with = [](Scene& s) { s.medium.emplace().kind = MediumKind::kFormula; },
 };

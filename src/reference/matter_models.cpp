@@ -103,7 +103,7 @@ public:
         const auto speed = [&](const expr::Formula& f) {
             return std::clamp(at_place(f, node, time), -kFastestMatter, kFastestMatter);
         };
-        return warm(node, std::max(at_place(density_, node, time), 0.0),
+        return warm(node, spec_.density_scale * std::max(at_place(density_, node, time), 0.0),
                     {speed(outward_), speed(south_), speed(east_)});
     }
 
