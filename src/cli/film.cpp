@@ -35,7 +35,7 @@ constexpr std::array kKinds{
     FilmKind{".mov", "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le",  // ProRes 422 HQ, to be edited
              "-c:v prores_ks -profile:v hq -vendor apl0 -pix_fmt yuv422p10le", false, ".mov"},
     FilmKind{".mkv", "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt bgr0",  // without loss
-             "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt gbrp10le", true},
+             "-c:v ffv1 -level 3 -slicecrc 1 -pix_fmt gbrp10le", true, ".mov"},
     FilmKind{".webm", "-c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -pix_fmt yuv420p",
              "-c:v libvpx-vp9 -crf 18 -b:v 0 -row-mt 1 -profile:v 2 -pix_fmt yuv420p10le", false, ".mp4"},
 };
@@ -161,8 +161,11 @@ Status mark_sphere(const Film& film, const std::filesystem::path& plain, const s
 // The same pictures and what is said of the sphere, which ffmpeg then writes as this kind of film does, and the texts.
 Status copy_marked(const Film& film, const std::string& texts, const std::filesystem::path& marked) {
     return write_atomically(film.output, [&](const std::filesystem::path& part) {
-        return run_ffmpeg(film, {"-i", marked.string(), "-f", "ffmetadata", "-i", texts, "-map", "0:v", "-map_metadata",
-                                 "1", "-c", "copy", part.string()});
+        FilmWords words{"-i", marked.string(), "-f", "ffmetadata", "-i", texts};
+        add_words(words, "-map 0:v -map_metadata 1 -c copy");
+        if (kind_of(film.output)->is_rgb) add_words(words, "-color_range pc");  // QuickTime has no word for it
+        words.push_back(part.string());
+        return run_ffmpeg(film, std::move(words));
     });
 }
 

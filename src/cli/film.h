@@ -28,7 +28,7 @@ struct Film {
     std::vector<std::string> options{};
     bool ten_bits = false;                       // a colour; the pictures have 16
     std::map<std::string, std::string> texts{};  // what it says of itself, by keyword
-    // What it shows of the sphere: said in .mp4 and .mov, unless an option of ffmpeg filters the pictures, and in .webm without options.
+    // What it shows of the sphere: said in .mp4 and .mov, unless an option of ffmpeg filters the pictures, and in .mkv and .webm without options.
     std::optional<FilmSphere> sphere{};
 };
 // Under its name only when complete. Errors: ffmpeg is missing or fails; one line, with the first that it said; those of copy_with_sphere.

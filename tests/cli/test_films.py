@@ -185,10 +185,10 @@ class Encoders(FilmTest):
         self.assertEqual([hashlib.sha256((self.folder / f"again{n}.png").read_bytes()).hexdigest() for n in (2, 3, 4)], self.hashes("film.mkv"))
 
     def test_films_of_the_sphere_that_cannot_be_marked(self):
-        """Where ffmpeg wrote something else there is one line, the pictures stay and no film; a filter of one's own, other kinds and a
-        changing field of view are not marked."""
+        """Where ffmpeg wrote something else there is one line, the pictures stay and no film; films with a filter of one's own, .mkv with any
+        option, and those with a changing field of view are not marked."""
         self.write("scene.toml", SCENE + 'projection = "equirectangular"\nfov = 180\n')
-        for ending in (".mp4", ".mov"):
+        for ending in (".mp4", ".mov", ".mkv", ".webm"):
             ran = self.capture(*self.SHORT, "-o", "film" + ending, status=1)
             self.assertEqual((ran.out, ran.err.count("\n")), ("", 1), ran)
             self.assertIn(f"film{ending} could not be marked as a film of the sphere (not an MP4 or QuickTime film", ran.err)
@@ -196,7 +196,7 @@ class Encoders(FilmTest):
             self.assertEqual([p.name for p in self.folder.glob(f"*film{ending}*") if p.is_file()], [])
             self.assertEqual(list((self.folder / f"film{ending}.frames").glob("*film*")), [])
         self.capture(*self.SHORT, "-o", "film.mp4", "--", "-vf", "v360=e:c3x2")
-        self.capture(*self.SHORT, "-o", "film.mkv")
+        self.capture(*self.SHORT, "-o", "film.mkv", "--", "-level", "3")
         self.write("zoom.csv", "frame,r,fov\n0,9,180\n1,9,170\n")
         self.write("scene.toml", SCENE + 'size = [16, 9]\nprojection = "equirectangular"\n[path]\nkind = "keys"\nfile = "zoom.csv"\n')
         self.capture("-o", "zoom.mov")
@@ -282,20 +282,27 @@ class RealFfmpeg(support.CliTest):
                 ("size = [64, 64]\nfov = 180", None, "tiled equirectangular", (0, 0, quarter, quarter))):
             self.write("scene.toml", camera + words)
             self.run_nullscope("capture", "scene.toml", *self.MOVING[2:], "-o", "f%d.png")
-            for name in ("film.mp4", "film.mov", "film.webm"):
+            for name in ("film.mp4", "film.mov", "film.mkv", "film.webm"):
                 self.run_nullscope("capture", "scene.toml", *self.MOVING[2:], "-o", name)
                 out = subprocess.run(["ffprobe", "-v", "error", "-of", "json", "-show_streams", name], cwd=self.folder, capture_output=True,
                                      check=True).stdout
                 said = {data.pop("side_data_type"): data for data in json.loads(out)["streams"][0]["side_data_list"]}
                 self.assertEqual(said.get("Stereo 3D", {}).get("type"), eyes, said)
                 self.assertEqual(said["Spherical Mapping"]["projection"], projection)
-                if name.endswith(".webm"):
-                    self.assertIn("scene_text", "".join(self.tags(name)))
-                    continue
-                box = (self.folder / name).read_bytes().split(b"equi\0\0\0\0")[1]   # ffprobe rounds to whole px
+                self.assertIn("scene_text", "".join(self.tags(name)))
+                head = b"equi" if name in ("film.mp4", "film.mov") else b"\x76\x72\x94"   # Matroska's ProjectionPrivate, of 20 bytes
+                box = (self.folder / name).read_bytes().split(head + bytes(4))[1]   # ffprobe rounds to whole px
                 self.assertEqual(struct.unpack(">4I", box[:16]), bounds)
                 shown, meant = (self.frame(file, "gray") for file in (name, "f0.png"))
-                self.assertLess(sum(abs(a - b) for a, b in zip(shown, meant, strict=True)) / len(meant), 6, name)
+                off = sum(abs(a - b) for a, b in zip(shown, meant, strict=True)) / len(meant)
+                self.assertLessEqual(off, 0 if name == "film.mkv" else 6, name)
+            self.are_tagged_rgb("film.mkv", "bgr0")
+
+    def are_tagged_rgb(self, name, kind):
+        """As a .mkv that is not of the sphere."""
+        film = self.probe(name)
+        self.assertEqual([film.get(of) for of in ("codec_name", "pix_fmt", "color_space", "color_range", "color_primaries", "color_transfer")],
+                         ["ffv1", kind, "gbr", "pc", "bt709", "iec61966-2-1"])
 
     def tags(self, name):
         out = subprocess.run(["ffprobe", "-v", "error", "-of", "json", "-show_entries", "format_tags", name], cwd=self.folder,
@@ -317,6 +324,9 @@ class RealFfmpeg(support.CliTest):
         self.run_nullscope("capture", "scene.toml", *self.MOVING, "-o", "eight.mkv")
         count = {name: len(set(struct.unpack(f"<{64 * 36}H", self.frame(name, "gbrp16le")[:2 * 64 * 36]))) for name in ("film.mkv", "eight.mkv")}
         self.assertGreater(count["film.mkv"], 1.5 * count["eight.mkv"], count)
+        self.write("scene.toml", SCENE + 'projection = "equirectangular"\n')
+        self.run_nullscope("capture", "scene.toml", *self.MOVING, "--bits", "10", "-o", "sphere.mkv")
+        self.are_tagged_rgb("sphere.mkv", "gbrp10le")
 
     def test_a_film_of_exr_files_is_that_of_the_pictures(self):
         """By docs/vfx.md's command: within 2 of 255."""
