@@ -14,7 +14,7 @@ namespace {
 using namespace nullscope;
 using namespace nullscope::test;
 
-// Half floats (2^-11 of the light), the square roots of srgb_encode (1/800) and rounding: what is seen of them in 8 bits.
+// Half floats (2^-11 of the light), the square roots of srgb_encode (1/22500) and rounding: what is seen of them in 8 bits.
 constexpr int kSteps = 2;
 
 int worst_step(const Image<unsigned char>& a, const Image<unsigned char>& b) {
