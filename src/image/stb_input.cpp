@@ -64,7 +64,7 @@ constexpr unsigned kTgaFromRight = 0x10, kTgaInterleaved = 0xc0;
 constexpr std::size_t kTgaPaletteStart = 3, kTgaDescriptor = 17;
 
 // Adobe Photoshop File Formats Specification: three sections, each behind its length, lie between the head and the merged picture.
-constexpr std::size_t kPsdChannels = 12, kPsdHeight = 14, kPsdDepth = 22, kPsdHead = 26;
+constexpr std::size_t kPsdChannels = 12, kPsdHeight = 14, kPsdWidth = 18, kPsdDepth = 22, kPsdHead = 26;
 bool is_deep_psd(std::string_view bytes) {
     return bytes.size() > kPsdHead && bytes.substr(kPsdDepth, 2) == std::string_view("\0\x10", 2);
 }
@@ -86,6 +86,41 @@ std::string psd_of_three(std::string_view bytes, std::size_t merged) {
         three.erase(lengths, 2 * height * (channels - 3));
     three.replace(kPsdChannels, 2, std::string_view("\0\3", 2));
     return three;
+}
+
+// Runs of bytes, as Apple's PackBits has them; nothing: they are not `size` bytes.
+std::optional<std::string> unpacked_bits(std::string_view packed, std::size_t size) {
+    std::string bytes;
+    while (!packed.empty() && bytes.size() <= size) {
+        const auto head = static_cast<signed char>(packed.front());
+        packed.remove_prefix(1);
+        const std::size_t count = head >= 0 ? head + 1u : 1u - head, taken = head >= 0 ? count : 1u;
+        if (head == -128) continue;
+        if (taken > packed.size()) return {};
+        head >= 0 ? bytes.append(packed.substr(0, count)) : bytes.append(count, packed.front());
+        packed.remove_prefix(taken);
+    }
+    return bytes.size() == size ? std::optional(bytes) : std::nullopt;
+}
+
+// Of 16 bits and red, green and blue, without compression, of which stb_image reads no other.
+Result<std::string> psd_without_runs(std::string_view bytes, std::size_t merged, long long max_pixels) {
+    const std::size_t width = big_endian(bytes.substr(kPsdWidth, 4)), height = big_endian(bytes.substr(kPsdHeight, 4));
+    const std::size_t rows = 3 * height, lengths = merged + 2;
+    if (width * height > static_cast<std::size_t>(max_pixels) ||
+        !plausible_size(2LL * static_cast<long long>(rows) * static_cast<long long>(width), bytes.size()))
+        return bad_input(fmt::format("{} x {} pixels are not in {} bytes, or more than {}", width, height, bytes.size(),
+                                     max_pixels));
+    std::string whole(bytes.substr(0, merged));
+    whole.append(2, '\0');
+    std::size_t at = lengths + 2 * rows;
+    for (std::size_t row = 0; row < rows && at <= bytes.size(); ++row) {
+        const std::size_t length = big_endian(bytes.substr(lengths + 2 * row, 2));
+        const auto line = unpacked_bits(bytes.substr(at, length), 2 * width);
+        if (!line) return bad_input("a damaged row, or it is cut off");
+        whole += *line, at += length;
+    }
+    return whole;
 }
 
 bool is_bmp(std::string_view bytes) { return bytes.starts_with("BM"); }
@@ -144,10 +179,16 @@ Result<WholePicture> decode_psd(std::string_view bytes, long long max_pixels) {
     constexpr const char* kKinds = "the PSD files that are read: RGB of 8 or 16 bits, with a merged picture";
     const auto merged = merged_psd(bytes);
     if (!merged) return bad_input("it is cut off");
-    if (is_deep_psd(bytes) && big_endian(bytes.substr(*merged, 2)) != 0)
-        return bad_input("a PSD of 16 bits whose merged picture is compressed", "8 bits, or without compression");
-    if (big_endian(bytes.substr(kPsdChannels, 2)) <= 3) return decode_by_stb(bytes, max_pixels, kKinds);
-    auto picture = decode_by_stb(psd_of_three(bytes, *merged), max_pixels, kKinds);
+    const bool has_more = big_endian(bytes.substr(kPsdChannels, 2)) > 3;
+    std::string changed = has_more ? psd_of_three(bytes, *merged) : std::string();
+    if (is_deep_psd(bytes) && big_endian(bytes.substr(*merged, 2)) == 1) {
+        TRY(whole, psd_without_runs(has_more ? changed : bytes, *merged, max_pixels));
+        changed = std::move(*whole);
+    } else if (big_endian(bytes.substr(*merged, 2)) > 1) {
+        return bad_input("a PSD whose merged picture is compressed by ZIP", "none, or runs");
+    }
+    auto picture = decode_by_stb(changed.empty() ? bytes : changed, max_pixels, kKinds);
+    if (!has_more) return picture;
     if (picture) picture->unused.emplace_back("channels beside red, green and blue");
     return picture;
 }

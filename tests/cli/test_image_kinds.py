@@ -60,12 +60,27 @@ def pnm(kind, most, value, blank=b"\n"):
     return f"P{kind}\n# by hand\n{W} {H}#\n {most}".encode() + blank + body
 
 
+def packbits(line):
+    """Runs where four or more bytes are equal, the others as one piece each."""
+    out, at = b"\x80", 0   # which is nothing
+    while at < len(line):
+        same = next((n for n in range(1, min(128, len(line) - at)) if line[at + n] != line[at]), min(128, len(line) - at))
+        if same >= 4:
+            out, at = out + bytes((257 - same, line[at])), at + same
+            continue
+        end = at + 1
+        while end < len(line) and end - at < 128 and len(set(line[end:end + 4])) > 1:
+            end += 1
+        out, at = out + bytes((end - at - 1,)) + line[at:end], end
+    return out
+
+
 def psd(value=code, bits=8, channels=3, packed=False, mode=3, resources=b""):
     head = b"8BPS" + struct.pack(">H6xHIIHH", 1, channels, H, W, bits, mode) + struct.pack(">I", 0) + struct.pack(">I", len(resources)) + resources + struct.pack(">I", 0)
     lines = [b"".join(struct.pack(">B" if bits == 8 else ">H", value(x, y)[c]) for x in range(W)) for c in range(channels) for y in range(H)]
     if not packed:
         return head + struct.pack(">H", 0) + b"".join(lines)
-    lines = [bytes((len(line) - 1,)) + line for line in lines]   # as one run of different bytes
+    lines = [packbits(line) for line in lines]
     return head + struct.pack(">H", 1) + b"".join(struct.pack(">H", len(line)) for line in lines) + b"".join(lines)
 
 
@@ -126,8 +141,16 @@ class ImageKinds(support.CliTest):
         for name, data in (("over.pgm", pnm(5, 200, lambda x, y: (201,))), ("wide.pgm", pnm(5, 65536, lambda x, y: (1,))), ("long.pgm", b"P5 99999999999 1 255\n ")):
             self.write(name, data)
             self.refused_image(name, ["PNM"])
-        self.write("text.pgm", b"P2\n1 1\n255\n7\n")
-        self.refused_image("text.pgm", ["not a PNG"])
+        for kind, most, value, meant in ((3, 255, code, code), (2, 255, lambda x, y: code(x, y)[:1], grey), (3, 15, tens, lambda x, y: [17 * v for v in tens(x, y)])):
+            text = f"P{kind} {W} {H} # as text\n{most}\n" + "\n# a line\n".join(" ".join(str(v) for x in range(W) for v in value(x, y)) for y in range(H))
+            self.is_png("text.pnm", text.encode(), meant)
+            self.write("text.pnm", text.encode()[:-3])
+            self.refused_image("text.pnm", ["PNM's number"])
+        for name, numbers in (("minus.pgm", b"-1 2"), ("over.pgm", b"7 256"), ("word.pgm", b"7 x"), ("short.pgm", b"7")):
+            self.write(name, b"P2 2 1 255\n" + numbers)
+            self.refused_image(name, [])
+        self.write("bits.pbm", b"P1 2 1\n0 1\n")
+        self.refused_image("bits.pbm", ["not a PNG"])
 
     def test_psd(self):
         for packed in (False, True):
@@ -141,8 +164,19 @@ class ImageKinds(support.CliTest):
         self.grey_is("i.psd", linear(77 / 255), ["i.psd", "colour profile"])
         self.write("inks.psd", psd(lambda x, y: (9, 9, 9, 9), channels=4, mode=4))
         self.refused_image("inks.psd", ["PSD", "RGB"])
-        self.write("deep.psd", psd(wide, 16, packed=True))
-        self.refused_image("deep.psd", ["16 bits", "compress"])
+        self.is_png("deep.psd", psd(wide, 16, packed=True), wide, 16)
+        same = lambda x, y: [251 * (v // 64) for v in code(x // 8, y)]
+        self.is_png("runs.psd", psd(same, 16, packed=True), same, 16)
+        self.write("more.psd", psd(lambda x, y: (20000, 30000, 40000, 9), 16, channels=4, packed=True))
+        self.near(self.middle("more.psd"), [linear(v / 65535) for v in (20000, 30000, 40000)])
+        whole, at = psd(wide, 16, packed=True), 40 + 2 * 3 * H   # of the first row
+        for name, data in (("short.psd", whole[:-1]), ("table.psd", whole[:60]), ("row.psd", whole[:at] + b"\x05" + whole[at + 1:]),
+                           ("wide.psd", whole[:18] + struct.pack(">I", W + 1) + whole[22:])):
+            self.write(name, data)
+            self.refused_image(name, [])
+        zipped = psd()
+        self.write("zip.psd", zipped[:38] + b"\0\2" + zipped[40:])
+        self.refused_image("zip.psd", ["ZIP"])
 
     def test_what_is_cut_off_or_too_large_is_refused(self):
         for name, data in (("a.tga", tga()), ("r.tga", tga(packed=True)), ("a.bmp", bmp()), ("a.ppm", pnm(6, 255, code)), ("a.psd", psd()), ("r.psd", psd(packed=True))):
