@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Opens what nullscope writes with the real programs that people use next, each in an environment of its own, build/interop/NAME, with the
-# versions of tests/interop/programs.csv. Needs PyPI; run by hand, before a release.
+# versions of tests/interop/programs.csv, or as Debian has them. Needs PyPI, for some npm's registry; run by hand, before a release.
 #
 #   scripts/interop.sh              all of them: some minutes, 2.5 GB
-#   scripts/interop.sh NAME...      only these: blender blender-5.2 openimageio openexr ehtim astropy ffmpeg
+#   scripts/interop.sh NAME...      only these: blender blender-5.2 openimageio openexr ehtim astropy ds9 casacore pandas ffmpeg imagemagick gimp panorama
 #
 # In ctest: -L interop (--program PROGRAM NAME), and at depth all the light ones, openexr and openimageio (--tier PROGRAM NAME...).
 set -euo pipefail
@@ -29,21 +29,27 @@ interpreter() {
 
 # Makes the environment where it is missing or has other versions.
 environment() {
-    local folder=$root/build/interop/$1 python=$2 packages=$3 found
-    [[ $(cat "$folder/made" 2>/dev/null) != "$packages" ]] || return 0
+    local folder=$root/build/interop/$1 python=$2 packages=$3 npm=$4 found
+    [[ $(cat "$folder/made" 2>/dev/null) != "$packages$npm" ]] || return 0
     found=$(interpreter "$python")
     rm -rf "$folder"
     "$found" -m venv "$folder"
     # shellcheck disable=SC2086   # several packages
     "$folder/bin/python" -m pip install --quiet $packages
-    echo "$packages" >"$folder/made"
+    # shellcheck disable=SC2086
+    [[ -z $npm ]] || npm install --silent --prefix "$folder" $npm
+    echo "$packages$npm" >"$folder/made"
 }
 
 run() {
-    local name=$1 row python packages
+    local name=$1 row python packages npm debian package
     row=$(grep "^$name," "$table") || { echo "interop: no program $name; allowed: ${all[*]}" >&2; exit 2; }
-    IFS=, read -r _ python packages <<<"$row"
-    environment "$name" "$python" "$packages" || return 1
+    IFS=, read -r _ python packages npm debian <<<"$row"
+    for package in $debian; do
+        [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] ||
+            { echo "interop: $name needs apt-get install $debian" >&2; return 1; }
+    done
+    environment "$name" "$python" "$packages" "$npm" || return 1
     # The package nullscope, as it is now.
     [[ $name != ehtim ]] || "$root/build/interop/$name/bin/python" -m pip install --quiet "$root"
     "$root/build/interop/$name/bin/python" -B "$root/tests/interop/test_${name%%-*}.py" "$program"

@@ -32,6 +32,20 @@ def opened(report, folder):
                 report.same_bits(f"{scene}: Stokes {name}", light[plane][::-1] * (1 if name == "I" else -1), meant["stokes." + name])
 
 
+def saved(report, folder):
+    """What astropy writes of a file is still a scene, and is drawn again; the spin axis has its position angle."""
+    for scene in ("m87", "sgr-a-synchrotron"):
+        support.nullscope("capture", scene, "--size", "%dx%d" % SIZE, "-o", "first.fits", folder=folder)
+        with fits.open(folder / "first.fits") as file:
+            file.writeto(folder / "saved.fits", overwrite=True)
+            angle = file[0].header["SPIN_PA"]
+        ours, theirs = (support.nullscope("scenes", name, folder=folder) for name in ("first.fits", "saved.fits"))
+        report.add(f"{scene}: saved by it holds another scene", int(ours != theirs), 0)
+        support.nullscope("capture", "saved.fits", "-o", "again.fits", folder=folder)
+        report.add(f"{scene}: drawn again from that: bytes that differ", sum(a != b for a, b in zip((folder / "first.fits").read_bytes(), (folder / "again.fits").read_bytes(), strict=True)), 0)
+        report.add(f"{scene}: SPIN_PA {angle:g} is no angle", int(not 0 <= angle < 360), 0)
+
+
 def coordinates(report, scene, header):
     wcs = WCS(header).celestial
     x, y = header["CRPIX1"] - 1, header["CRPIX2"] - 1
@@ -44,4 +58,4 @@ def coordinates(report, scene, header):
 
 
 if __name__ == "__main__":
-    support.main(PROGRAM, opened)
+    support.main(PROGRAM, opened, saved)

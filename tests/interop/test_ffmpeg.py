@@ -79,5 +79,21 @@ def films(report, folder):
             report.add(f"ffmpeg {version}: {ending} without its colours' tags", int("bt709" not in told and "iec61966" not in told), 0)
 
 
+def spheres(report, folder):
+    """Films of the sphere say so, in every container and of both eyes, and their pictures stay what they are."""
+    for eyes, words in ((None, ""), ("top and bottom", 'stereo = "all-round"\n')):
+        (folder / "round.toml").write_text(f'[camera]\nr = 20\nprojection = "equirectangular"\nsize = [{WIDTH}, {WIDTH // 2}]\n{words}[sky]\nkind = "formula"\nformula = "0.5 + 0.5*x*y"\n')
+        shot = ("capture", "round.toml", "--time-step", "1", "--frames", "0:2", "-o")
+        support.nullscope(*shot, "r-%d.png", folder=folder)
+        for ending in ("mp4", "mov", "mkv", "webm"):
+            support.nullscope(*shot, "r." + ending, folder=folder)
+            for version, path in programs().items():
+                told = subprocess.run([path, "-i", folder / ("r." + ending)], capture_output=True, text=True).stderr
+                report.add(f"ffmpeg {version}: {ending} is no sphere", int(not re.search(r"spherical( mapping)?: equirectangular", told, re.I)), 0)
+                report.add(f"ffmpeg {version}: {ending}, eyes: not {eyes}", int(bool(re.search(f"stereo ?3d: .*{eyes or ''}", told, re.I)) != bool(eyes)), 0)
+                off = np.abs(frame_of(path, folder / ("r." + ending)) - frame_of(path, folder / "r-0.png")).mean()
+                report.add(f"ffmpeg {version}: {ending} against PNG, mean difference", float(off), 0 if ending == "mkv" else 1.5, "of 255 ")
+
+
 if __name__ == "__main__":
-    support.main("ffmpeg", sequences, films)
+    support.main("ffmpeg", sequences, films, spheres)
