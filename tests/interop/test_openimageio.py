@@ -131,6 +131,18 @@ def exr_matrix(report, folder):
     report.add(f"EXR of {len(cases)} kinds on sky, disc and body, worst ({worst})", off[worst], 1e-6)
 
 
+def primaries(report, folder):
+    """Light that OpenColorIO, in OpenImageIO, has made ACEScg, in a file whose chromaticities say so, is the same light."""
+    write(folder / "plain.exr", SMOOTH)
+    aces = oiio.ImageBufAlgo.colorconvert(oiio.ImageBuf(str(folder / "plain.exr")), "lin_rec709", "ACEScg").get_pixels(oiio.FLOAT)
+    ap1 = (0.713, 0.293, 0.165, 0.83, 0.128, 0.044, 0.32168, 0.33767)
+    write(folder / "aces.exr", aces, chromaticities=("float[8]", ap1))
+    meant = drawn(folder, "sky", "plain.exr")
+    report.add("a sky in ACEScg, by its chromaticities: largest difference", float(np.abs(drawn(folder, "sky", "aces.exr") - meant).max()), 1e-5)
+    write(folder / "unsaid.exr", aces)
+    report.add("    without them it is another picture: not so", int(np.abs(drawn(folder, "sky", "unsaid.exr") - meant).max() < 0.01), 0)
+
+
 def composited(report, folder):
     """A plate bent by st_plate where A hides nothing or part of it: at the edges of what covers the sky, too, the picture of that sky."""
     width, height, wide = 480, 270, 2 * float(np.tan(np.radians(50) / 2))
@@ -159,4 +171,4 @@ def composited(report, folder):
 
 
 if __name__ == "__main__":
-    support.main(PROGRAM, colours, other_formats, as_sky, exr_matrix, composited)
+    support.main(PROGRAM, colours, other_formats, as_sky, exr_matrix, primaries, composited)
