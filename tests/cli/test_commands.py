@@ -163,7 +163,7 @@ class Commands(support.CliTest):
 
         there = str(self.folder / "there.toml")
         shipped = jansky("m87-synchrotron")
-        for factor in (0.3, 4):   # the second by matter that is opaque at places: 13 times the density
+        for factor in (0.3, 4):   # the second by matter that is opaque at places: 73 times the density
             goal = "%.9g" % (factor * shipped)
             found = self.run_nullscope("flux", "m87-synchrotron", "--size", "32x18", "--target", goal, "-o", there)
             scale = float(found.out.split()[2])

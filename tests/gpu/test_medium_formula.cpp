@@ -73,6 +73,7 @@ TEST_CASE("medium: closed forms of a thin sphere, a thick one and a slab" * test
     on_every_context([&](GpuSession& session) {
         Scene thin = formula_scene("minkowski", 0, MediumEmission::kPowerLaw);
         thin.medium->emissivity = 1e-16;
+        thin.medium->formulas.density = "0.25", thin.medium->density_scale = 4;
         const double each = 1e-16 * length_cm(thin) / medium_light_cgs(230);
         check_closed(session, "thin sphere", thin,
                      [&](double b) { return b < 1 ? each * 2 * std::sqrt(1 - b * b) : 0.0; });
@@ -233,7 +234,7 @@ TEST_CASE("medium: matter by formula about holes is the reference's" * test::cos
             scene.camera.width = scene.camera.height = by_depth(20, 32, 64);
             scene.medium->formulas = one.formulas, scene.medium->field_direction = one.direction;
             scene.medium->outer = 8, scene.medium->steps = one.steps;
-            scene.medium->emissivity = 1e-18, scene.medium->temperature_K = 6000;
+            scene.medium->emissivity = 1e-18, scene.medium->temperature_K = 6000, scene.medium->density_scale = 1.5;
             const Difference off = held(session, fmt::format("medium, {}", one.name), scene, {kFlux, kPixel});
             const double known = sum_of(reference_picture(scene));
             scene.medium->step = 0.5;
