@@ -3,7 +3,7 @@
 #
 #   scripts/fuzz.sh [--keep] [TARGET] [SECONDS]
 #
-#   TARGET    scene, tour, picture, exr, film, texts, rays, words, warp, medium (tests/fuzz/TARGET.cpp), or all (the default), one after the other
+#   TARGET    scene, tour, picture, exr, film, texts, rays, words, formula, warp, medium, fits, stations (tests/fuzz/TARGET.cpp), or all (the default), one after the other
 #   SECONDS   how long each target runs (default 60)
 #   --keep    afterwards add what reached new code to tests/fuzz/corpus/TARGET, the least files that do
 #
@@ -13,7 +13,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-targets=(scene tour picture exr film texts rays words formula warp medium)
+targets=(scene tour picture exr film texts rays words formula warp medium fits stations)
 fail() { echo "fuzz: $*" >&2; exit 2; }
 
 keep=no

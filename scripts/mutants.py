@@ -11,6 +11,8 @@ GAS = ("gpu_tests", "disc gas*")
 GAS_LAW = ("unit_tests", "disc gas*")
 LINE = ("unit_tests", "line profile*")
 MATRIX = ("cli", "test_matrix.py")
+VISIBILITY = ("unit_tests", "visibility*")
+TELESCOPE = ("unit_tests", "telescope*")
 
 
 class Mutant(NamedTuple):
@@ -131,6 +133,16 @@ MUTANTS = [Mutant(*row) for row in [
      "0.25 * b * b + scale.x * scale.x);", "0.25 * b * b + 1.01 * scale.x * scale.x);", ("gpu_tests", "far star*")),
     ("past-a-mass", "a term of second order lost in the light time past a mass", "src/reference/light_time.cpp",
      "((2 - 1 / at) / at + a * a", "(2 / at + a * a", ("unit_tests", "light time: past*")),
+    ("visibility-east", "a picture's east taken for its west", "src/telescope/visibility.cpp",
+     "((0.5 * (count - 1) - k) * pixel)", "((k - 0.5 * (count - 1)) * pixel)", VISIBILITY),
+    ("visibility-shape", "a square pixel's factor of one side alone", "src/telescope/visibility.cpp",
+     "sinc(pixel * baseline.u) * sinc(pixel * baseline.v)", "sinc(pixel * baseline.u)", VISIBILITY),
+    ("telescope-turn", "the Earth turning to the west", "src/telescope/observation.cpp",
+     "{c * x - s * y, s * x + c * y, z}", "{c * x + s * y, c * y - s * x, z}", TELESCOPE),
+    ("telescope-closure", "a triangle that does not close", "src/telescope/closure.cpp",
+     "std::conj(visibilities[scan.at(a, c)])", "visibilities[scan.at(a, c)]", TELESCOPE),
+    ("telescope-noise", "noise of one hand for that of both", "src/telescope/observation.cpp",
+     "(4 * bandwidth_hz * integration_s)", "(2 * bandwidth_hz * integration_s)", TELESCOPE),
     ("line-carter", "the hole's sense of rotation in Carter's constant of a distant ray", "src/spectrum/distant_light.cpp",
      "of.eta + (of.lambda - a_) * (of.lambda - a_);", "of.eta + (of.lambda + a_) * (of.lambda + a_);", LINE),
     ("line-area", "the image's area by ln r for that by r - r_horizon", "src/spectrum/disc_image.cpp",
@@ -225,7 +237,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("kept-rays", "exact rays kept as moved the other way", "src/compare/remembered_trace.cpp",
      "static_cast<float>(*to[k] - *from[k]);", "static_cast<float>(*from[k] - 2.0 * *to[k]);", ("unit_tests", "compare: a frame's exact*")),
     ("flux-square", "a pixel's flux by its side", "src/command/flux.cpp",
-     "light * pixel * pixel / kJansky", "light * pixel / kJansky", ("cli", "test_astronomy.py")),
+     "light * *pixel * *pixel / kJansky", "light * *pixel / kJansky", ("cli", "test_astronomy.py")),
     ("flux-region", "the flux of a region without its last column", "src/command/flux.cpp",
      "x < part[2]", "x < part[2] - 1", ("cli", "test_matter_looks.py")),
     ("grid-late", "matter of dumps is seen before its light left", "shaders/medium/grid.glsl",

@@ -15,7 +15,7 @@ cd "$root"
 [[ -e build/sanitize/build.ninja ]] || cmake --preset sanitize >&2
 targets=()
 if [[ $# -eq 0 ]]; then
-    targets=(--target unit_tests contract_tests fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_film fuzz_texts fuzz_rays fuzz_words fuzz_formula fuzz_warp fuzz_medium)
+    targets=(--target unit_tests contract_tests fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_film fuzz_texts fuzz_rays fuzz_words fuzz_formula fuzz_warp fuzz_medium fuzz_fits fuzz_stations)
     set -- -R '^(whole: (unit|contract)$|fuzz:)'
 fi
 cmake --build build/sanitize ${targets[@]+"${targets[@]}"} >&2
