@@ -9,11 +9,11 @@
 
 #include "command/fits_header.h"
 #include "command/flux.h"
+#include "command/sky_light.h"
 #include "compare/ray_channels.h"
 #include "image/channels.h"
 #include "image/half_float.h"
 #include "image/image_file.h"
-#include "image/luminance.h"
 #include "image/picture_formats.h"
 #include "render/picture_bands.h"
 #include "version/version.h"
@@ -57,24 +57,6 @@ FitsHeader header_of(const PictureOrigin& origin, const Captured& captured, cons
     return header;
 }
 
-Image<float> luminance_image(const Image<float>& light) {
-    Image<float> luminance(light.width, light.height, 1);
-    for (std::size_t i = 0; i < luminance.data.size(); ++i) luminance.data[i] = luminance_of(&light.data[3 * i]);
-    return luminance;
-}
-
-// Angles from north, which is up, through east, left, instead of from right towards up: a quarter turn less, the same sense.
-Image<float> turned_to_north(Image<float> stokes) {
-    for (std::size_t i = 0; i < stokes.data.size(); i += kStokesParameters)
-        stokes.data[i + 1] = -stokes.data[i + 1], stokes.data[i + 2] = -stokes.data[i + 2];
-    return stokes;
-}
-
-Image<float> times(Image<float> image, double factor) {
-    for (float& value : image.data) value = static_cast<float>(factor * value);
-    return image;
-}
-
 // A file of linear light, which says more of its scene than words.
 struct LightFile {
     const std::string& name;
@@ -89,11 +71,7 @@ Status write_fits(LightFile file) {
     const bool several = !file.options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
     const auto flux = flux_unit(scene, several);
     const FitsHeader header = header_of(file.origin, file.captured, flux, several, std::move(file.words));
-    const Image<float>&light = file.captured.linear, &stokes = file.captured.stokes;
-    if (flux && !stokes.empty())
-        return save_fits(file.name, turned_to_north(times(stokes, flux->luminance_jansky)), header);
-    if (flux) return save_fits(file.name, in_jansky(light, *flux), header);
-    return save_fits(file.name, stokes.empty() ? luminance_image(light) : turned_to_north(stokes), header, light);
+    return save_fits(file.name, sky_planes(file.captured, flux), header, flux ? Image<float>() : file.captured.linear);
 }
 
 // What the displayed picture shows, before its sRGB encoding.

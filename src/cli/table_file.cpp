@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
 #include <type_traits>
 #include <variant>
 
@@ -31,6 +32,15 @@ std::string words_of_target(const OptionTarget& target) {
         target);
 }
 
+Result<std::map<std::string, std::string>> origin_words(const TableOrigin& origin) {
+    if (!origin.of_scene)
+        return std::map<std::string, std::string>{{kOptionsWord, origin.options}, {"nullscope.version", kVersionText}};
+    PictureOrigin made{origin.scene, origin.scene_name.empty() ? SceneFolders{} : scene_folders(origin.scene_name)};
+    made.options = origin.options, made.renderer = origin.renderer, made.version = kVersionText;
+    made.times = origin.times;
+    return picture_words(made);
+}
+
 }  // namespace
 
 std::string GivenWords::words() const {
@@ -44,10 +54,7 @@ std::string GivenWords::words() const {
 
 Status write_table(const std::string& csv_file, const std::string& csv, const std::string& svg_file, std::string svg,
                    const TableOrigin& origin) {
-    PictureOrigin made{origin.scene, origin.scene_name.empty() ? SceneFolders{} : scene_folders(origin.scene_name)};
-    made.options = origin.options, made.renderer = origin.renderer, made.version = kVersionText;
-    made.times = origin.times;
-    TRY(words, picture_words(made));
+    TRY(words, origin_words(origin));
     if (!origin.columns.empty()) (*words)["nullscope.columns"] = origin.columns;
     std::string metadata = "<metadata xmlns:n=\"nullscope\">\n";
     for (const auto& [keyword, text] : *words)

@@ -36,6 +36,7 @@ struct TableOrigin {
     std::string options, renderer{};
     std::string columns{};        // what they mean, lines for people
     std::vector<double> times{};  // PictureOrigin::times
+    bool of_scene = true;         // else of a file that the options name
 };
 
 // svg: of a whole document. Errors: a file of the scene cannot be read, one cannot be written.

@@ -14,23 +14,29 @@
 
 namespace nullscope::cli {
 
-std::optional<FluxUnit> flux_unit(const Scene& scene, bool several) {
-    if (several || !scene.medium || !scene.medium->by_frequency()) return std::nullopt;
-    if (scene.sky.kind != SkyKind::kBlack || scene.disc || !scene.bodies.empty()) return std::nullopt;
+std::optional<double> pixel_on_sky(const Scene& scene) {
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
     const auto scale = spacetime ? picture_scale(**spacetime, scene.camera) : std::nullopt;
     const auto microarcsecond = length_of_microarcsecond(scene.object);
     if (!scale || !microarcsecond) return std::nullopt;
+    constexpr double kMicroarcsecond = M_PI / 180.0 / 3600.0 * 1e-6;  // rad
+    return scale->length_per_px() / *microarcsecond * kMicroarcsecond;
+}
+
+std::optional<FluxUnit> flux_unit(const Scene& scene, bool several) {
+    if (several || !scene.medium || !scene.medium->by_frequency()) return std::nullopt;
+    if (scene.sky.kind != SkyKind::kBlack || scene.disc || !scene.bodies.empty()) return std::nullopt;
+    const auto pixel = pixel_on_sky(scene);
+    if (!pixel) return std::nullopt;
     const MediumSpec& medium = *scene.medium;
     const double colours[] = {medium.colour.x, medium.colour.y, medium.colour.z};
     const auto brightest = std::ranges::max_element(colours);
     if (!(*brightest * medium.brightness > 0)) return std::nullopt;
-    constexpr double kMicroarcsecond = M_PI / 180.0 / 3600.0 * 1e-6, kJansky = 1e-23;  // rad; erg/(s cm^2 Hz)
-    const double pixel = scale->length_per_px() / *microarcsecond * kMicroarcsecond,
-                 light = medium_light_cgs(medium.frequency_GHz) / (*brightest * medium.brightness);
+    constexpr double kJansky = 1e-23;  // erg/(s cm^2 Hz)
+    const double light = medium_light_cgs(medium.frequency_GHz) / (*brightest * medium.brightness);
     const float rgb[] = {static_cast<float>(colours[0]), static_cast<float>(colours[1]),
                          static_cast<float>(colours[2])};
-    const double jansky = light * pixel * pixel / kJansky;
+    const double jansky = light * *pixel * *pixel / kJansky;
     return FluxUnit{jansky, static_cast<int>(brightest - colours), medium.frequency_GHz,
                     jansky * *brightest / luminance_of(rgb)};
 }

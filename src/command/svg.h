@@ -37,6 +37,10 @@ inline std::string svg_line(double x1, double y1, double x2, double y2, std::str
     return fmt::format("<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x1, x2, y1, y2, more);
 }
 
+inline std::string svg_dot(double x, double y, double radius, std::string_view colour) {
+    return fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\" fill=\"{}\"/>\n", x, y, radius, colour);
+}
+
 // kind: polyline or polygon.
 inline std::string svg_curve(std::string_view kind, const std::vector<std::array<double, 2>>& points, double width,
                              std::string_view colour) {
