@@ -21,4 +21,5 @@ NB_MODULE(_core, m) {
     add_observer(m);
     add_trace(m);
     add_picture(m);
+    add_telescope(m);
 }

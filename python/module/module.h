@@ -17,6 +17,7 @@ void add_spacetime(nb::module_& module);
 void add_observer(nb::module_& module);
 void add_trace(nb::module_& module);
 void add_picture(nb::module_& module);
+void add_telescope(nb::module_& module);
 
 // Closes what pictures keep in this thread: an OpenGL context and what is in it.
 void forget_session();

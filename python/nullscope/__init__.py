@@ -13,9 +13,10 @@ from ._ehtim import to_ehtim
 from ._pictures import RAYDATA, Picture, Polarisation, capture, raydata
 from ._rays import Fate, deflection, fate_name, trace, worldline
 from ._scenes import scene
+from ._telescope import observe, visibility
 
 __all__ = ["RAYDATA", "Error", "Fate", "Observer", "Picture", "Polarisation", "Scene", "Spacetime", "Worldline", "__version__", "capture",
-           "deflection", "fate_name", "forget_session", "raydata", "scene", "scenes", "to_ehtim", "trace", "worldline"]
+           "deflection", "fate_name", "forget_session", "observe", "raydata", "scene", "scenes", "to_ehtim", "trace", "visibility", "worldline"]
 
 _assets = _Path(__file__).resolve().parent / "assets"
 if _assets.is_dir():
