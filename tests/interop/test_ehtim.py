@@ -1,5 +1,6 @@
 """ehtim: FITS files, and nullscope.to_ehtim, which is the same image without a file. The environment has the package nullscope too."""
 import contextlib
+import csv
 import importlib.metadata
 import io
 import math
@@ -89,6 +90,92 @@ def observed(report, folder):
     report.add("and there are fewer than ten", int(len(data.data) < 10), 0)
 
 
+# A source in the east, flat: the camera is at phi = 0, its right is +y.
+EAST = """[spacetime]
+metric = "minkowski"
+[camera]
+r = 1000
+fov = 1.5
+size = [96, 72]
+[sky]
+kind = "black"
+[[ball]]
+position = [0, -5, 1]
+radius = 1
+texture = "plain"
+[object]
+name = "m87"
+"""
+HOURS = 0, 24, 2
+
+
+def table(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def sampled(image, places):
+    seen = image.sample_uv(places, ttype="direct", verbose=False)
+    return np.asarray(seen[0] if isinstance(seen, (list, tuple)) else seen).ravel()
+
+
+def visibilities(report, folder):
+    """`nullscope visibility` against sample_uv on the FITS file of the same scene: the same pixels, triangles on both sides."""
+    scene, size = "m87-synchrotron", "192x192"
+    support.nullscope("capture", scene, "--size", size, "-o", "m87.fits", folder=folder)
+    support.nullscope("visibility", scene, "--size", size, "--array", "eht-2017", "--hours", *HOURS, "--pixel", "triangle", "-o", "v", folder=folder)
+    with contextlib.redirect_stdout(io.StringIO()):
+        image = ehtim.image.load_fits(str(folder / "m87.fits"))
+    rows, there = table(folder / "v.csv"), {}
+    seen = sampled(image, np.array([[float(row["u"]), float(row["v"])] for row in rows]))
+    report.add(f"{scene}: amplitudes of {len(rows)} baselines, relative",
+               max(abs(float(row["amplitude_jy"]) / abs(light) - 1) for row, light in zip(rows, seen)), 1e-4)
+    for row, light in zip(rows, seen):
+        there[row["time_h"], row["station_1"], row["station_2"]] = light
+    triangles = table(folder / "v-closure-phases.csv")
+    off = 0.0
+    for row in triangles:
+        a, b, c = (row[f"station_{k}"] for k in (1, 2, 3))
+        closed = np.angle(there[row["time_h"], a, b] * there[row["time_h"], b, c] * np.conj(there[row["time_h"], a, c]), deg=True)
+        off = max(off, abs(math.remainder(float(row["phase_deg"]) - closed, 360)))
+    report.add(f"{scene}: closure phases of {len(triangles)} triangles", off, 0.01, "degrees ")
+    python = ns.visibility(ns.capture(scene, (192, 192)), [float(row["u"]) for row in rows], [float(row["v"]) for row in rows], pixel="triangle")
+    here = np.array([float(row["real_jy"]) + 1j * float(row["imaginary_jy"]) for row in rows])
+    report.add("nullscope.visibility against the command, of the flux", float(np.abs(python - here).max() / image.total_flux()), 1e-8)
+
+
+def east(report, folder):
+    (folder / "east.toml").write_text(EAST)
+    places = [(2e8, 0.0), (-1e8, 3e8), (4e8, -2e8), (0.0, 5e8)]
+    (folder / "uv.csv").write_text("u,v\n" + "".join(f"{u},{v}\n" for u, v in places))
+    support.nullscope("capture", "east.toml", "-o", "east.fits", folder=folder)
+    support.nullscope("visibility", "east.toml", "--baselines", "uv.csv", "--pixel", "triangle", "-o", "v", folder=folder)
+    with contextlib.redirect_stdout(io.StringIO()):
+        image = ehtim.image.load_fits(str(folder / "east.fits"))
+    here = np.radians([float(row["phase_deg"]) for row in table(folder / "v.csv")])
+    seen = sampled(image, np.array(places))
+    report.add("phases of a source in the east", float(np.abs(np.angle(seen * np.exp(-1j * here))).max()), 1e-6, "rad ")
+    image.imvec = np.fliplr(image.imarr()).ravel()
+    mirrored = np.abs(np.angle(sampled(image, np.array(places)) * np.exp(-1j * here)))
+    report.add("of 4 phases, those that a mirrored copy has too", int((mirrored < 1e-3).sum()), 1)   # that along the mirror's axis
+
+
+def tracks(report, folder):
+    """Baselines of an array as the Earth turns, and Python's observe()."""
+    support.nullscope("visibility", "m87-synchrotron", "--size", "64x64", "--array", "eht-2017", "--hours", *HOURS, "-o", "v", folder=folder)
+    with contextlib.redirect_stdout(io.StringIO()):
+        data = ns.observe(ns.capture("m87-synchrotron", (64, 64)), "eht-2017", hours=HOURS)
+    there = {}
+    for row in data.data:
+        there[round(float(row["time"]), 6), row["t1"], row["t2"]] = row["u"], row["v"], row["vis"]
+        there[round(float(row["time"]), 6), row["t2"], row["t1"]] = -row["u"], -row["v"], np.conj(row["vis"])
+    rows = [row for row in table(folder / "v.csv") if float(row["time_h"]) < HOURS[1]]   # ehtim leaves the last one out
+    report.add(f"baselines that ehtim has and we have not, of {len(data.data)}", abs(len(data.data) - len(rows)), 0)
+    off = max(math.hypot(float(row["u"]) - u, float(row["v"]) - v) / math.hypot(u, v) for row in rows
+              for u, v, _ in [there[round(float(row["time_h"]), 6), row["station_1"], row["station_2"]]])
+    report.add(f"(u, v) of {len(rows)} baselines, relative", off, 1e-6)
+
+
 def wrong_is_said(report, folder):
     calls = {"no picture": lambda: ns.to_ehtim(np.zeros((3, 3, 3))), "no scale": lambda: ns.to_ehtim(ns.capture("kerr", (32, 18))),
              "a part": lambda: ns.to_ehtim(ns.capture("m87", SIZE)[3:]), "changed": lambda: ns.to_ehtim(ns.capture("m87-swirl", SIZE) ** 2),
@@ -112,4 +199,4 @@ def wrong_is_said(report, folder):
 
 
 if __name__ == "__main__":
-    support.main(PROGRAM, both_ways, asked, point, observed, wrong_is_said)
+    support.main(PROGRAM, both_ways, asked, point, observed, visibilities, east, tracks, wrong_is_said)
