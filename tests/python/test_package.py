@@ -156,6 +156,30 @@ class Pictures(Test):
                 with self.assertRaisesRegex(ns.Error, "; allowed: "):
                     call()
 
+    def test_visibilities_equal_to_the_command_line(self):
+        u, v = np.array([[0, 1e9], [-3e9, 2e9]]), np.array([[0, 2e9], [5e9, 0]])
+        (self.folder / "uv.csv").write_text("u,v\n" + "".join(f"{a},{b}\n" for a, b in zip(u.ravel(), v.ravel())))
+        for scene, unit in (("m87-polarimetry", "_jy"), ("m87", "")):
+            support.command_line("visibility", scene, "--size", "48x36", "--baselines", self.folder / "uv.csv", "--pixel", "square", "-o", self.folder / "v")
+            with open(self.folder / "v.csv", encoding="utf-8", newline="") as file:
+                rows = list(csv.DictReader(file))
+            picture = ns.capture(scene, (48, 36))
+            found = ns.visibility(picture, u, v, pixel="square")
+            self.assertEqual((found.shape, found.dtype), ((2, 2), complex))
+            there = np.array([float(row["real" + unit]) + 1j * float(row["imaginary" + unit]) for row in rows]).reshape(2, 2)
+            np.testing.assert_allclose(found, there, rtol=1e-6, atol=1e-6 * abs(there[0, 0]))
+            stokes = ns.visibility(picture, u, v, pixel="square", stokes=True)
+            self.assertTrue(np.array_equal(stokes[..., 0], found))
+            if unit:
+                q = np.array([float(row["stokes_q_real_jy"]) + 1j * float(row["stokes_q_imaginary_jy"]) for row in rows]).reshape(2, 2)
+                np.testing.assert_allclose(stokes[..., 1], q, atol=1e-6 * abs(there[0, 0]))
+            else:
+                self.assertFalse(stokes[..., 1:].any())
+            for call in (lambda: ns.visibility(picture, u, v[0]), lambda: ns.visibility(picture, np.nan, 0), lambda: ns.visibility(picture, 0, 0, pixel="round"),
+                         lambda: ns.visibility(picture[1:], 0, 0), lambda: ns.visibility(0 * picture, 0, 0), lambda: ns.visibility(ns.capture("kerr", (32, 24)), 0, 0)):
+                with self.assertRaisesRegex(ns.Error, "; allowed: "):
+                    call()
+
     def test_a_png_says_which_part_of_the_sphere_it_is(self):
         """As the command line's does, of the size and frame that were drawn; not of an array of another size, nor of both eyes."""
         scene, file = self.folder / "sphere.toml", self.folder / "sphere.png"
