@@ -31,9 +31,7 @@ FOUND = re.compile(r"^(/[^:]+):(\d+):(\d+): (warning|error): (.*)$")
 
 
 def commands():
-    """Of each .cpp file of src/ and web/: the compiler's words without the file, its output and its module's folder."""
-    if not (BUILD / "compile_commands.json").exists():
-        subprocess.run(["cmake", "--preset", "tidy"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    """Of each .cpp file of src/ and web/: the compiler's words without the file, its output and its module's folder. After generate()."""
     found = {}
     for entry in json.loads((BUILD / "compile_commands.json").read_text()):
         path = Path(entry["file"])
@@ -44,7 +42,10 @@ def commands():
 
 
 def generate():
-    """What the build makes and files include: the shader core's text and uniform block, OpenGL's functions."""
+    """What the build makes and files include: the shader core's text and uniform block, OpenGL's functions. With it the compile commands
+    of files that have come since."""
+    if not (BUILD / "compile_commands.json").exists():
+        subprocess.run(["cmake", "--preset", "tidy"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     targets = ["nullscope_core_texts", "glad/include/glad/gl.h"]
     subprocess.run(["cmake", "--build", BUILD, "--target", *targets], check=True, stdout=subprocess.DEVNULL)
 
@@ -117,13 +118,12 @@ def main():
         return 0
     if words == ["--self-test"]:
         return self_test()
+    generate()
     known = commands()
     files = changed(words[1]) if words[:1] == ["--since"] else [Path(word).resolve() for word in words] or list(known)
     chosen = [file for file in files if file in known]
     if words and words[0] != "--since" and len(chosen) < len(files):
         sys.exit(f"tidy: not compiled here: {' '.join(str(file) for file in files if file not in known)}")
-    if chosen:
-        generate()
     found = look(chosen, known, 1 if words and len(chosen) <= ALONE else GROUP)
     print("\n".join(line.replace(f"{ROOT}/", "") for line in found), end="\n" if found else "")
     print(f"tidy: {len(found)} findings in {len(chosen)} files", file=sys.stderr)
