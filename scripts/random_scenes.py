@@ -117,6 +117,8 @@ class Generator:
         if ends := re.match(rf"([\[(])({NUMBER}), ({NUMBER})([\])])", allowed):
             low, high = float(ends[2]), float(ends[3])
             tiny = 1e-9 * max(1.0, abs(high))
+            if "in ascending order" in allowed and dice.random() < 0.3:
+                return sorted({self.number(default, low, high) for _ in range(dice.randint(2, 5))})
             return self.number(default, low + (tiny if ends[1] == "(" else 0), high - (tiny if ends[4] == ")" else 0))
         return dice.choice([word for word in re.split(r", | or ", allowed) if word not in ("tycho-2",)])
 

@@ -3,6 +3,9 @@
 #include "generated/medium_law"
 #include "medium/matter.glsl"
 #include "medium/place.glsl"
+#ifdef EFFECT_MEDIUM_BANDS
+#include "medium/bands.glsl"
+#endif
 #ifdef MEDIUM_STOKES
 #include "medium/stokes_rows.glsl"
 #endif
@@ -18,6 +21,9 @@ struct MediumSum {
     vec3 light;
     float through;   // what of the light behind comes through it
     float step;      // length of the next sample, r_s
+#ifdef EFFECT_MEDIUM_BANDS
+    vec3 bands;      // the same of each of several frequencies, whose most is `through`
+#endif
 #ifdef MEDIUM_MEAN
     vec2 weight;     // of all that was gone along: light that reaches the camera, and what of the light behind is hidden
     vec2 moment;     // and the same times where on the ray it is
@@ -32,6 +38,9 @@ MediumSum medium_nothing() {
     sum.light = vec3(0.0);
     sum.through = 1.0;
     sum.step = frame.medium_bound.y;
+#ifdef EFFECT_MEDIUM_BANDS
+    sum.bands = vec3(1.0);
+#endif
 #ifdef MEDIUM_MEAN
     sum.weight = vec2(0.0);
     sum.moment = vec2(0.0);
@@ -67,6 +76,25 @@ struct MediumSpan {
 
 // A sample more, `way` of the affine parameter long, along which source and absorption are taken as even. Where way is 0 nothing that was
 // found is used: far out it is no number. along: where on the ray it is.
+#ifdef EFFECT_MEDIUM_BANDS
+MediumSum medium_add(MediumSum sum, MediumBands found, float way, float along) {
+    vec3 depth = way > 0.0 ? found.absorption * way : vec3(0.0);
+    vec3 dims = exp(-depth);
+    vec3 thick = (1.0 - dims) / max(depth, vec3(1.0e-2));
+    vec3 thin = 1.0 - depth * (0.5 - depth * (1.0 / 6.0));   // as below
+    vec3 share = sum.bands * mix(thick, thin, vec3(lessThan(depth, vec3(1.0e-2))));
+    vec3 seen = way > 0.0 ? way * bands_colour(found, share) : vec3(0.0);
+    sum.light += seen;
+#ifdef MEDIUM_MEAN
+    vec2 weight = vec2(seen.r + seen.g + seen.b, dot(share * depth, vec3(1.0 / 3.0)));
+    sum.weight += weight;
+    sum.moment += along * weight;
+#endif
+    sum.bands *= dims;
+    sum.through = max(max(sum.bands.r, sum.bands.g), sum.bands.b);
+    return sum;
+}
+#else
 MediumSum medium_add(MediumSum sum, MediumLight found, float way, float along) {
     float depth = found.absorption * way;
     vec3 light = found.emission * way;
@@ -86,6 +114,7 @@ MediumSum medium_add(MediumSum sum, MediumLight found, float way, float along) {
     sum.through *= dims;
     return sum;
 }
+#endif
 
 #ifdef MEDIUM_STOKES
 // Light and what of the light behind comes through are then those of rows (medium/stokes_rows.glsl), for which sum.through tells where to end.
@@ -180,7 +209,11 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
         begin = end;
         first = last;
         MediumMatter matter = medium_matter(at);
+#ifdef EFFECT_MEDIUM_BANDS
+        MediumBands found = medium_bands(at, matter);
+#else
         MediumLight found = medium_light(at, matter);
+#endif
         bool there = !empty && at.r > frame.medium_hole.w && at.r < frame.medium_bound.x;
         float along = 0.0;
 #ifdef MEDIUM_MEAN

@@ -153,4 +153,9 @@ struct FrameData {
     vec4 medium_form_4;
     vec4 medium_form_5;
 #endif
+#ifdef BLOCK_MEDIUM_BANDS
+    vec4 medium_band_0;  // of each of several frequencies, by the names of kBandNumbers: red,
+    vec4 medium_band_1;  //   green, of two frequencies blue,
+    vec4 medium_band_2;  //   blue
+#endif
 };

@@ -77,6 +77,7 @@ enum class Effect {
     kMediumBlackBody,
     kMediumSynchrotron,
     kMediumPolarisation,
+    kMediumBands,
     kEnd  // no effect: how many there are
 };
 // That there is a medium of a kind.

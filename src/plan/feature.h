@@ -36,7 +36,6 @@ struct FrameFacts {
     bool has_emission(MediumEmission kind) const {  // of a medium that has a choice
         return scene.medium && scene.medium->kind != MediumKind::kGas && scene.medium->emission == kind;
     }
-    double frequency() const { return scene.medium ? scene.medium->frequency_GHz : 0.0; }
     bool points() const { return scene.sky.kind == SkyKind::kPoints; }
     bool has_g() const { return scene.light.doppler || scene.light.gravity; }
 };

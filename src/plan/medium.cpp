@@ -9,6 +9,7 @@
 #include "expr/formula.h"
 #include "light/black_body.h"
 #include "plan/medium_model.h"
+#include "scene/medium_bands.h"
 #include "scene/medium_dumps.h"
 #include "scene/medium_grid.h"
 #include "spacetime/axial_metric.h"
@@ -38,6 +39,27 @@ double medium_spans(const Spacetime& spacetime, const MediumSpec& medium) {
     return spans != nullptr ? spans(medium, hole ? hole->outer : 0.0) / medium.step : 0.0;
 }
 
+namespace {
+
+// Light of other things has no frequency.
+void add_band_faults(const Scene& scene, std::vector<SceneFault>& faults) {
+    const std::size_t count = scene.medium->bands_GHz.size();
+    if (scene.medium->shown_band > static_cast<int>(count))
+        faults.push_back({"medium.shown_band",
+                          fmt::format("{}: there are {} frequencies", scene.medium->shown_band, count),
+                          fmt::format("an integer from 0 to {}", count)});
+    const char* other = scene.sky.kind != SkyKind::kBlack ? "a sky"
+                        : scene.disc                      ? "a disc"
+                        : !scene.bodies.empty()           ? "a body"
+                                                          : "";
+    if (*other != '\0')
+        faults.push_back({"medium.frequency",
+                          fmt::format("{} at once, but there is {} beside the matter", count, other),
+                          "one frequency, or a scene without disc and bodies, with sky.kind = \"black\""});
+}
+
+}  // namespace
+
 std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& scene) {
     std::vector<SceneFault> faults;
     if (!scene.medium) return faults;
@@ -63,6 +85,7 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
     if (is_polarised(medium) && has_polarised_disc(scene))
         faults.push_back(
             {"medium.polarisation", "on, beside a disc that is polarised too", "off, or disc.polarisation = \"off\""});
+    if (has_bands(scene)) add_band_faults(scene, faults);
     if (model.faults != nullptr) model.faults(spacetime, scene, faults);
     // The march takes 8192 (shaders/medium/march.glsl), some of them on its way to the matter.
     constexpr double kMostSpans = 8000;
@@ -147,11 +170,10 @@ constexpr double kMostLight = 1e30;
 // Of what may be 0: far below all that counts.
 double logarithm(double number) { return std::log2(std::max(number, 1e-300)); }
 
-}  // namespace
-
-LawNumbers law_numbers(const FramePlan& plan) {
-    const MediumSpec& medium = *plan.scene.medium;
+// Of matter that is seen at one frequency, that of `medium`.
+LawNumbers numbers_of_law(const FramePlan& plan, const MediumSpec& medium) {
     const MediumModel& model = model_of(medium);
+    const bool bands = shows_bands(plan.scene), any_density = model.traits.any_density || bands;
     const double mass = plan.scene.object.mass().value_or(0.0);
     // Powers of the frequency by which light that is seen with its frequency times g differs, and by which its intensity does.
     const double shift = plan.scene.light.shift ? 1.0 : 0.0, beaming = plan.scene.light.beaming ? 3.0 : 0.0;
@@ -163,8 +185,9 @@ LawNumbers law_numbers(const FramePlan& plan) {
         medium.brightness};
     if (medium.law() != MediumEmission::kPowerLaw) return law;
     FlowNumbers flow = flow_numbers(medium, mass);
-    if (model.traits.any_density) {
-        flow = {logarithm(flow.emission), logarithm(flow.absorption)};
+    if (any_density) {
+        const double scale = model.traits.any_density ? 1.0 : medium.density_scale;
+        flow = {logarithm(scale * flow.emission), logarithm(scale * flow.absorption)};
     } else {  // densities are 1 at most; where it is opaque beyond what has room in a float it is as bright
         flow.emission *= medium.density_scale, flow.absorption *= medium.density_scale;
         const double most = std::max({flow.absorption, flow.emission * medium.brightness, kMostLight}) / kMostLight;
@@ -175,6 +198,21 @@ LawNumbers law_numbers(const FramePlan& plan) {
     for (const double value : {beaming + shift * medium.spectral_index - 1.0,
                                shift * (2.5 + medium.spectral_index) - 1.0, flow.absorption, flow.emission})
         law.values.push_back(value);
+    return law;
+}
+
+}  // namespace
+
+LawNumbers law_numbers(const FramePlan& plan) {
+    const MediumSpec& medium = *plan.scene.medium;
+    LawNumbers law = numbers_of_law(plan, medium);
+    if (!shows_bands(plan.scene)) return law;
+    for (const std::size_t band : bands_as_colours(medium)) {
+        const Scene one = at_band(plan.scene, band);
+        std::vector<double> values = numbers_of_law(plan, *one.medium).values;
+        values.resize(kLawValues);
+        law.bands.push_back({values[2], values[4], values[10], values[11]});
+    }
     return law;
 }
 

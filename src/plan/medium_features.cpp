@@ -6,6 +6,7 @@
 #include "plan/feature.h"
 #include "plan/medium.h"
 #include "plan/medium_model.h"
+#include "scene/medium_bands.h"
 #include "scene/medium_dumps.h"
 
 namespace nullscope {
@@ -29,6 +30,35 @@ constexpr std::string_view kPower = "emission = \"power-law\"", kSynchrotron = "
                            kBlackBody = "emission = \"black-body\"",
                            kDirected = "emission = \"synchrotron\" and a field_direction other than isotropic";
 
+SceneKey frequency_key(const std::string& kinds) {
+    constexpr auto kRead = [](const Scene& s) {
+        const MediumSpec& m = *s.medium;
+        KeyValue value;
+        value.numbers = m.bands_GHz.empty() ? std::vector{m.frequency_GHz} : m.bands_GHz;
+        return value;
+    };
+    constexpr auto kWrite = [](Scene& s, const KeyValue& value) {
+        MediumSpec& m = *s.medium;
+        const bool several = value.numbers.size() > 1;
+        m.bands_GHz = several ? value.numbers : std::vector<double>();
+        if (!value.numbers.empty()) m.frequency_GHz = value.numbers.front();
+        settle_bands(m);
+    };
+    return {"medium",
+            "frequency",
+            KeyType::kNumbers,
+            "GHz",
+            "230",
+            closed(1e-3, 1e12),
+            "",
+            kept(fmt::format("Frequency at which the camera sees the matter, or several at once: bands. Needs {}, with "
+                             "another emission than \"black-body\".",
+                             kinds)),
+            {kRead, kWrite},
+            by_frequency,
+            "matter that is seen at one frequency"};
+}
+
 std::vector<SceneKey> power_law_keys() {
     const std::string kinds(kinds_with(kLaws));
     const auto help = [&](const char* what) {
@@ -44,11 +74,7 @@ std::vector<SceneKey> power_law_keys() {
         {"medium", "absorption", KeyType::kNumber, "", "0", closed(0.0, 1e30), "",
          help("Absorptivity over emissivity at 230 GHz, both in cgs units; 0 is transparent matter."),
          [](auto& s) { return &s.medium->absorption; }, has_power, kPower},
-        {"medium", "frequency", KeyType::kNumber, "GHz", "230", closed(1e-3, 1e12), "",
-         kept(fmt::format("Frequency at which the camera sees the matter. Needs {}, with another emission than "
-                          "\"black-body\".",
-                          kinds)),
-         [](auto& s) { return &s.medium->frequency_GHz; }, by_frequency, "matter that is seen at one frequency"},
+        frequency_key(kinds),
     };
 }
 
@@ -189,6 +215,45 @@ Feature polarised_feature() {
              [](auto& s) { return &s.medium->faraday; }, has_faraday, "polarisation = \"on\"")}};
 }
 
+Feature bands_feature() {
+    return {
+        {Effect::kMediumBands, "medium-bands", "EFFECT_MEDIUM_BANDS",
+         "Matter along rays is seen at two or three frequencies at once, as colours.",
+         "medium.frequency has several, all are shown, and its light is not polarised",
+         "of each frequency the emission law once more a sample"},
+        [](const FrameFacts& f) -> Reason {
+            if (!shows_bands(f.scene)) return kNot;
+            return fmt::format("medium.frequency = {}", frequency_words(*f.scene.medium));
+        },
+        [](Scene& s) {
+            if (s.medium) s.medium->bands_GHz.clear();
+        },
+        [](Scene& s) {
+            massive_hole(s);
+            s.medium.emplace().kind = MediumKind::kFlow;
+        },
+        [](Scene& s) {
+            s.medium->bands_GHz = {86.0, 230.0, 345.0};
+        },
+        nullptr,
+        {{"medium",
+          "shown_band",
+          KeyType::kWhole,
+          "",
+          "0",
+          closed(0.0, kMostNumbers),
+          "",
+          "Which of several frequencies pictures show, from 1; 0: all as colours, the lowest red, the highest blue, of "
+          "polarised light the first. Needs a frequency of several.",
+          {[](const Scene& s) { return KeyValue{.width = s.medium->shown_band}; },
+           [](Scene& s, const KeyValue& value) {
+               s.medium->shown_band = value.width;
+               settle_bands(*s.medium);
+           }},
+          has_bands,
+          "several frequencies, as frequency = [86, 230]"}}};
+}
+
 std::vector<Feature> all_features() {
     std::vector<Feature> features = [&]<std::size_t... kind>(std::index_sequence<kind...>) {
         return std::vector<Feature>{model_feature<kind>()...};
@@ -235,7 +300,8 @@ std::vector<Feature> all_features() {
                          "medium.emission is \"synchrotron\"", "a dozen exponentials and roots a sample"},
                         [](const FrameFacts& f) {
                             return reason_if(f.has_emission(MediumEmission::kSynchrotron),
-                                             fmt::format("medium.emission = \"synchrotron\" at {} GHz", f.frequency()));
+                                             fmt::format("medium.emission = \"synchrotron\" at {}",
+                                                         f.scene.medium ? frequency_words(*f.scene.medium) : ""));
                         },
                         [](Scene& s) {
                             if (s.medium) s.medium->emission = MediumEmission::kPowerLaw;
@@ -243,6 +309,7 @@ std::vector<Feature> all_features() {
                         medium_by_formula,
                         [](Scene& s) { s.medium->emission = MediumEmission::kSynchrotron; }});
     features.push_back(polarised_feature());
+    features.push_back(bands_feature());
     return features;
 }
 

@@ -6,6 +6,7 @@
 
 #include "plan/medium.h"
 #include "plan/medium_model.h"
+#include "scene/medium_bands.h"
 
 namespace nullscope {
 namespace {
@@ -59,7 +60,7 @@ const MediumModel kFlowModel{
     .words =
         [](const MediumSpec& m) {
             return fmt::format("of radius {}{}", m.flow.radius,
-                               m.by_frequency() ? fmt::format(" at {} GHz", m.frequency_GHz) : "");
+                               m.by_frequency() ? fmt::format(" at {}", frequency_words(m)) : "");
         },
     .farthest = [](const MediumSpec& m) { return kFlowScales * m.flow.radius; },
     .least_step = nullptr,

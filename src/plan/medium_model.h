@@ -110,9 +110,13 @@ const char* warmth_moves(const MediumSpec& medium);
 inline constexpr std::string_view kLawNumbers =
     "LAW_SHIFT LAW_BEAMING LAW_FREQUENCY LAW_OPACITY LAW_UNIT LAW_BLACK LAW_BRIGHT LAW_TIME "
     "LAW_EMITTED_POWER LAW_ABSORBED_POWER LAW_ABSORBED LAW_EMITTED";
+inline constexpr std::size_t kLawValues = 12;
+// What each of several frequencies has of its own, by these names.
+inline constexpr std::string_view kBandNumbers = "LAW_FREQUENCY LAW_UNIT LAW_ABSORBED LAW_EMITTED";
 struct LawNumbers {
     std::vector<double> values;
     double light;
+    std::vector<std::array<double, 4>> bands{};  // of kMediumBands, red first
 };
 LawNumbers law_numbers(const FramePlan& plan);
 

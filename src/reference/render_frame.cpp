@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "reference/reference.h"
 #include "reference/seen_light.h"
 #include "reference/star_images.h"
+#include "scene/medium_bands.h"
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
 
@@ -273,6 +275,10 @@ std::array<Vec3, 2> pixel_halves(const Looks& looks, int x, int y, int samples) 
     return sums;
 }
 
+Vec3 in_colour(const Vec3& light, const Vec3& colour) {
+    return {light.x * colour.x, light.y * colour.y, light.z * colour.z};
+}
+
 }  // namespace
 
 Result<std::vector<PixelLight>> render_pixels(const Scene& scene, const SkyCube& sky, const Pictures& pictures,
@@ -280,6 +286,19 @@ Result<std::vector<PixelLight>> render_pixels(const Scene& scene, const SkyCube&
                                               const SkyCube* far_sky) {
     TRY(good, check_pictures(pictures, samples));
     if (samples % 2 != 0) return bad_input(fmt::format("samples = {} must be even", samples));
+    if (shows_bands(scene)) {
+        std::vector<PixelLight> sum(pixels.size());
+        const std::vector<std::size_t> bands = bands_as_colours(*scene.medium);
+        for (std::size_t i = 0; i < bands.size(); ++i) {
+            TRY(one, render_pixels(at_band(scene, bands[i]), sky, pictures, samples, pixels, far_sky));
+            const Vec3 colour = colour_of_band(i, bands.size());
+            for (std::size_t k = 0; k < sum.size(); ++k) {
+                sum[k].light = sum[k].light + in_colour((*one)[k].light, colour);
+                sum[k].uncertainty = sum[k].uncertainty + in_colour((*one)[k].uncertainty, colour);
+            }
+        }
+        return sum;
+    }
     TRY(tracer, FrameTracer::make(scene));
     const std::optional<DiscLight> heat = heat_of(*tracer, scene);
     const Looks looks{*tracer, scene, sky, far_sky, pictures, heat ? &*heat : nullptr};
@@ -295,6 +314,19 @@ Result<Image<float>> render_frame(const Scene& scene, const SkyCube& sky, const 
                                   const std::function<void(long long)>& done, const SkyCube* far_sky,
                                   const std::vector<PointStar>& stars) {
     TRY(good, check_pictures(pictures, samples));
+    if (shows_bands(scene)) {
+        Image<float> sum(scene.camera.width, scene.camera.height, 3);
+        const std::vector<std::size_t> bands = bands_as_colours(*scene.medium);
+        for (std::size_t i = 0; i < bands.size(); ++i) {
+            TRY(one, render_frame(at_band(scene, bands[i]), sky, pictures, samples, i == 0 ? done : nullptr, far_sky,
+                                  stars));
+            const Vec3 colour = colour_of_band(i, bands.size());
+            const std::array<double, 3> shares{colour.x, colour.y, colour.z};
+            for (std::size_t k = 0; k < sum.data.size(); ++k)
+                sum.data[k] += static_cast<float>(shares[k % 3] * one->data[k]);
+        }
+        return sum;
+    }
     TRY(tracer, FrameTracer::make(scene));
     const std::optional<DiscLight> heat = heat_of(*tracer, scene);
     const Looks looks{*tracer, scene, sky, far_sky, pictures, heat ? &*heat : nullptr};

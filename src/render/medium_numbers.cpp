@@ -56,6 +56,9 @@ void put_medium(FrameData& frame, const FramePlan& plan, const MediumGrid* grid)
     const LawNumbers law = law_numbers(plan);
     frame.medium_colour = {law.light * medium->colour, least_through(plan.scene, model)};
     put_in_order<3>({&frame.medium_law_0, &frame.medium_law_1, &frame.medium_law_2}, law.values);
+    const std::array<FrameVector*, 3> bands = {&frame.medium_band_0, &frame.medium_band_1, &frame.medium_band_2};
+    for (std::size_t i = 0; i < law.bands.size() && i < bands.size(); ++i)
+        *bands[i] = {law.bands[i][0], law.bands[i][1], law.bands[i][2], law.bands[i][3]};
     put_in_order<6>({&frame.medium_form_0, &frame.medium_form_1, &frame.medium_form_2, &frame.medium_form_3,
                      &frame.medium_form_4, &frame.medium_form_5},
                     model.values({plan, grid}));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -13,6 +14,7 @@ namespace nullscope {
 struct KeyValue {
     double number = 0;
     Vec3 vector{};
+    std::vector<double> numbers{};
     int width = 0, height = 0;  // kSize; kWhole: width
     int choice = 0;             // index in SceneKey::choices
     std::string text{};

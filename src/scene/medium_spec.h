@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/vec.h"
 
@@ -104,9 +105,11 @@ struct MediumSpec {
     // kPowerLaw: emissivity and absorptivity at 230 GHz in the matter's frame, where the density is 1; nu^-spectral_index and
     // nu^-(2.5 + spectral_index) times that.
     double spectral_index = 0.0;
-    double emissivity = 3e-18;      // erg/(s cm^3 Hz sr)
-    double absorption = 0.0;        // absorptivity over emissivity
-    double frequency_GHz = 230.0;   // at which the camera looks
+    double emissivity = 3e-18;     // erg/(s cm^3 Hz sr)
+    double absorption = 0.0;       // absorptivity over emissivity
+    double frequency_GHz = 230.0;  // at which the camera looks; of several the one that is shown (scene/medium_bands.h)
+    std::vector<double> bands_GHz{};  // several, ascending; empty: one
+    int shown_band = 0;  // of several: which one pictures show, from 1; 0: all as colours, of polarised light the first
     double temperature_K = 8000.0;  // of gas at its inner radius; else of the black body of light 1
     double opacity = 1.0;           // kBlackBody: optical depth for each r_s where the density is 1
     FieldDirection field_direction = FieldDirection::kIsotropic;  // kSynchrotron

@@ -31,6 +31,9 @@ std::string allowed_text(const SceneKey& key) {
         case KeyType::kNumber:
             return fmt::format("{}{}, {}{}", range.open_low ? '(' : '[', range.low, range.high,
                                range.open_high ? ')' : ']');
+        case KeyType::kNumbers:
+            return fmt::format("[{}, {}], or up to {} of these in ascending order", range.low, range.high,
+                               kMostNumbers);
         case KeyType::kVelocity: return "three numbers, speed below 1";
         case KeyType::kPoint:
         case KeyType::kColour: return fmt::format("three numbers from {} to {}", range.low, range.high);

@@ -9,8 +9,23 @@
 namespace nullscope {
 
 // kVelocity, kPoint, kColour: an array of 3 numbers. kSize: an array of 2 integers. kWhole: an integer. kFile: a file, relative
-// to the scene file. kFormula: an expression (docs/expressions.md) of the variables in SceneKey::choices.
-enum class KeyType { kNumber, kVelocity, kPoint, kColour, kSize, kWhole, kChoice, kText, kFile, kMetric, kFormula };
+// to the scene file. kFormula: an expression (docs/expressions.md) of the variables in SceneKey::choices. kNumbers: a number, or an array
+// of up to kMostNumbers in ascending order.
+enum class KeyType {
+    kNumber,
+    kVelocity,
+    kPoint,
+    kColour,
+    kSize,
+    kWhole,
+    kChoice,
+    kText,
+    kFile,
+    kMetric,
+    kFormula,
+    kNumbers
+};
+inline constexpr std::size_t kMostNumbers = 16;
 
 struct KeyRange {
     double low = 0, high = 0;
@@ -33,7 +48,7 @@ struct SceneKey {
     KeyType type;
     std::string_view unit = {};      // of the file: "deg", "r_s", ...; degrees become radians in Scene
     std::string_view fallback = {};  // default, as it would be written in a file; "" for none
-    KeyRange range = {};             // kNumber, in the file's unit; arrays: of every number
+    KeyRange range = {};             // kNumber, kNumbers, in the file's unit; arrays: of every number
     std::string_view choices =
         {};  // kChoice: words separated by one blank; kFormula: variables; kFile: what the file is, "" an image
     std::string_view help = {};             // one sentence

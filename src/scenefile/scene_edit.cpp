@@ -1,8 +1,15 @@
 #include "scenefile/scene_edit.h"
 
-#include <algorithm>
-#include <map>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "base/text.h"
 #include "scene/bodies.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_writer.h"
@@ -55,6 +62,16 @@ Scene section_holder(const Scene& scene, const SectionRef& at) {
     Scene holder = scene;
     exchange_with_last(holder, at);
     return holder;
+}
+
+std::string typed_numbers(const std::vector<double>& numbers) {
+    return fmt::format("{:.12g}", fmt::join(numbers, ", "));
+}
+
+bool take_typed_numbers(const std::string& text, std::vector<double>& numbers) {
+    std::vector<double> typed;
+    for (const std::string& word : split(text, ',')) typed.push_back(parse_number(word).value_or(std::nan("")));
+    return std::exchange(numbers, typed) != typed;
 }
 
 Result<Scene> with_value(const Scene& scene, const SectionRef& at, const SceneKey& key, const KeyValue& value) {

@@ -27,6 +27,11 @@ void exchange_with_last(Scene& scene,
                         const SectionRef& at);  // makes a scene its holder; once more undoes that. No copy
 Scene section_defaults(const Scene& holder, std::string_view section);
 
+// Of KeyType::kNumbers, as a hand types them: "86, 230"; what is no number becomes one that is not finite, which with_value() refuses. take: whether
+// they are others than before.
+std::string typed_numbers(const std::vector<double>& numbers);
+bool take_typed_numbers(const std::string& text, std::vector<double>& numbers);
+
 // The scene with another value of a key. Errors: as a scene file's, without file and line. Cost: 0.5 ms, more where bodies move.
 Result<Scene> with_value(const Scene& scene, const SectionRef& at, const SceneKey& key, const KeyValue& value);
 

@@ -1,6 +1,7 @@
 #include "scenefile/scene_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <string_view>
 
@@ -13,6 +14,7 @@ std::string canonical_words(const SceneKey& key, const KeyValue& value) {
     if (!value.there) return "missing";
     switch (key.type) {
         case KeyType::kNumber: return fmt::format("{:.17g}", value.number);
+        case KeyType::kNumbers: return fmt::format("{:.17g}", fmt::join(value.numbers, " "));
         case KeyType::kVelocity:
         case KeyType::kPoint:
         case KeyType::kColour:

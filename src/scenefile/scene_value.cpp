@@ -59,6 +59,31 @@ Checked check_number(const SceneKey& key, const toml::node& node) {
     return KeyValue{.number = key.unit == "deg" ? *number * std::numbers::pi / 180.0 : *number};
 }
 
+// A number, or an array of them in ascending order.
+Checked check_numbers(const SceneKey& key, const toml::node& node) {
+    const toml::array* array = node.as_array();
+    if (array == nullptr && !node.is_number())
+        return bad_input(fmt::format("must be a number or an array of numbers, not {}", type_name(node)));
+    if (array == nullptr) {
+        TRY(one, check_number(key, node));
+        return KeyValue{.numbers = {one->number}};
+    }
+    if (array->empty()) return bad_input("an array without a number");
+    if (array->size() > kMostNumbers) return bad_input(fmt::format("{} numbers are too many", array->size()));
+    KeyValue value;
+    for (const toml::node& item : *array) {
+        const std::optional<double> number = finite_number(item);
+        if (!number) return bad_input(fmt::format("number {} is not a finite number", value.numbers.size() + 1));
+        if (!key.range.contains(*number)) return bad_input(fmt::format("{} is out of range", *number));
+        if (std::ranges::find(value.numbers, *number) != value.numbers.end())
+            return bad_input(fmt::format("{} is there twice", *number));
+        if (!value.numbers.empty() && *number < value.numbers.back())
+            return bad_input(fmt::format("{} comes after {}", *number, value.numbers.back()));
+        value.numbers.push_back(*number);
+    }
+    return value;
+}
+
 // An array of that many entries. words: of messages.
 Result<const toml::array*> array_of(const toml::node& node, std::size_t count, std::string_view words) {
     const toml::array* array = node.as_array();
@@ -147,6 +172,7 @@ Checked check_text(const SceneKey& key, const std::string& text, const SceneFold
 Result<KeyValue> check_value(const SceneKey& key, const toml::node& node, const SceneFolders& folders) {
     switch (key.type) {
         case KeyType::kNumber: return check_number(key, node);
+        case KeyType::kNumbers: return check_numbers(key, node);
         case KeyType::kVelocity:
         case KeyType::kPoint:
         case KeyType::kColour: return check_vector(key, node);

@@ -87,6 +87,9 @@ struct Written {
 std::string value_text(const SceneKey& key, const KeyValue& value, const Written& as) {
     switch (key.type) {
         case KeyType::kNumber: return key.unit == "deg" ? as.angle(value.number) : fmt::format("{}", value.number);
+        case KeyType::kNumbers:
+            return value.numbers.size() == 1 ? fmt::format("{}", value.numbers.front())
+                                             : fmt::format("[{}]", fmt::join(value.numbers, ", "));
         case KeyType::kVelocity:
         case KeyType::kPoint:
         case KeyType::kColour: return fmt::format("[{}, {}, {}]", value.vector.x, value.vector.y, value.vector.z);

@@ -8,6 +8,7 @@
 #include "expr/formula.h"
 #include "plan/medium.h"
 #include "plan/medium_model.h"
+#include "scene/medium_bands.h"
 #include "shaderlib/shader_source.h"
 
 namespace nullscope {
@@ -20,6 +21,21 @@ std::string names_text(std::string_view names, std::string_view vectors) {
     int number = 0;
     for (std::string word; words >> word; ++number)
         text += fmt::format("#define {} frame.{}_{}.{}\n", word, vectors, number / 4, "xyzw"[number % 4]);
+    return text;
+}
+
+// What differs from frequency to frequency has a place of its own, where the march puts the numbers of each in turn.
+std::string law_text(const Scene& scene) {
+    std::string text = names_text(kLawNumbers, "medium_law");
+    if (!shows_bands(scene)) return text;
+    text = "vec4 law_band;\n" +
+           (bands_as_colours(*scene.medium).size() == kBandsAtOnce ? "#define MEDIUM_THREE_BANDS\n" + text : text);
+    std::istringstream words{std::string(kBandNumbers)};
+    int number = 0;
+    for (std::string word; words >> word; ++number) {
+        const std::size_t at = text.find("#define " + word + " ");
+        text.replace(at, text.find('\n', at) - at, fmt::format("#define {} law_band.{}", word, "xyzw"[number]));
+    }
     return text;
 }
 
@@ -44,8 +60,7 @@ std::string medium_text(const Scene& scene) {
     if (!scene.medium) return "";
     const MediumSpec& medium = *scene.medium;
     const MediumModel& model = model_of(medium);
-    std::string text =
-        names_text(kLawNumbers, "medium_law") + names_text(model.numbers, "medium_form") + field_direction_text(medium);
+    std::string text = law_text(scene) + names_text(model.numbers, "medium_form") + field_direction_text(medium);
     if (medium.kind == MediumKind::kGrid)
         text += fmt::format("#define DENSEST_MATTER {:e}\n#define FASTEST_MATTER {:.1f}\n#define LEAST_FALL {:e}\n",
                             MediumGrid::kDensest, kFastestMatter, MediumGrid::kLeastFall);

@@ -67,10 +67,11 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
     if (has_solids(effects)) defines.emplace_back("NEEDS_PLACE");
     if (const MediumModel* model = model_of(effects)) {
         defines.emplace_back("BLOCK_MEDIUM");
-        for (const auto& [has, define] : {std::pair{model->traits.own_steps, "MEDIUM_OWN_STEPS"},
-                                          {model->traits.azimuth, "MEDIUM_AZIMUTH"},
-                                          {model->traits.turn, "MEDIUM_TURN"},
-                                          {model->traits.any_density, "MEDIUM_ANY_DENSITY"}})
+        for (const auto& [has, define] :
+             {std::pair{model->traits.own_steps, "MEDIUM_OWN_STEPS"},
+              {model->traits.azimuth, "MEDIUM_AZIMUTH"},
+              {model->traits.turn, "MEDIUM_TURN"},
+              {model->traits.any_density || effects.contains(Effect::kMediumBands), "MEDIUM_ANY_DENSITY"}})
             if (has) defines.emplace_back(define);
     }
     if (!projections_of(effects).empty()) defines.emplace_back("BLOCK_PROJECTION");

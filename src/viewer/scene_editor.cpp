@@ -47,6 +47,7 @@ std::string shown(const SceneKey& key, const KeyValue& value) {
     if (!value.there) return "";
     switch (key.type) {
         case KeyType::kNumber: return fmt::format("{:.12g}", value.number / unit_of(key));
+        case KeyType::kNumbers: return typed_numbers(value.numbers);
         case KeyType::kVelocity:
         case KeyType::kPoint:
         case KeyType::kColour:
@@ -200,6 +201,10 @@ bool field(const SceneKey& key, KeyValue& value, bool escape, const std::string&
             if (!text_field("##value", path)) return false;
             value.path = path.empty() ? std::filesystem::path() : std::filesystem::absolute(path);
             return true;
+        }
+        case KeyType::kNumbers: {
+            std::string text = typed_numbers(value.numbers);
+            return text_field("##value", text) && take_typed_numbers(text, value.numbers);
         }
         case KeyType::kSize:
         case KeyType::kMetric: break;

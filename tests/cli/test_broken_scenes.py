@@ -31,6 +31,9 @@ def wrong_values(allowed):
         beyond = max(1.0, abs(low), abs(high))
         at = ([repr(low)] if ends[1] == "(" else []) + ([repr(high)] if ends[4] == ")" else [])
         return [repr(low - beyond), repr(high + beyond), "nan", "inf", "-inf", '"a word"', "[1, 2]", "true", *at]
+    if ends := re.fullmatch(NUMBER + r", or up to (\d+) of these in ascending order", allowed):
+        low, high = float(ends[2]), float(ends[3])
+        return [repr(low - 1.0), repr(2 * high), "[]", f"[{high}, {low}]", f"[{high}, {high}]", str(list(range(1, int(ends[5]) + 2))), '["a"]', '"a word"', "[1, nan]"]
     if ends := re.fullmatch(r"an integer from (\d+) to (\d+)", allowed):
         return [str(int(ends[1]) - 1), str(int(ends[2]) + 1), "9223372036854775807", "1.5", "nan", '"one"', "[1]"]
     if ends := re.fullmatch(r"three numbers from (\S+) to (\S+)", allowed):

@@ -186,7 +186,7 @@ class Commands(support.CliTest):
         left_out = [e["effect"] for e in found["left_out"]]
         media = [effect for effect in left_out if effect.startswith("medium-")]   # models of matter, and what they have
         self.assertEqual(left_out[-len(media):], media)
-        self.assertLessEqual({"medium-gas", "medium-flow", "medium-formula", "medium-grid", "medium-motion", "medium-black-body", "medium-synchrotron", "medium-polarisation"}, set(media))
+        self.assertLessEqual({"medium-gas", "medium-flow", "medium-formula", "medium-grid", "medium-motion", "medium-black-body", "medium-synchrotron", "medium-polarisation", "medium-bands"}, set(media))
         projections = left_out[left_out.index("spin-near") + 1:left_out.index("warp")]
         self.assertLessEqual({"fisheye", "equirectangular", "cylindrical", "cube-faces"}, set(projections))
         self.assertEqual([effect for effect in left_out[:-len(media)] if effect not in projections],

@@ -73,6 +73,7 @@ WORDS = {
     "medium-grid": [r"grid_\w+", r"GridNumbers", r"medium_texture"],
     "medium-black-body": [],   # JOINT has them
     "medium-synchrotron": [r"log2_synchrotron"],
+    "medium-bands": [r"law_band", r"medium_bands?\w*", r"bands_colour"],
     "medium-polarisation": [r"medium_stokes", r"stokes_(?:rows|factors|through|turned)", r"screen_direction"],
 }
 # Words of any of several effects.
@@ -126,6 +127,8 @@ SCENES = {
     "spin, limb-darkening": '[spacetime]\nmetric = "kerr"\n[disc]\nemission = "thermal"\nlimb_darkening = "on"\n',
     "spin, medium-polarisation": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "formula"\nemission = "synchrotron"\nfield_direction = "south"\npolarisation = "on"\n',
     "medium-polarisation, polariser": '[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "flow"\nemission = "synchrotron"\nfield_direction = "east"\npolarisation = "on"\n[picture]\npolariser = 20\n',
+    "spin, medium-bands": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "formula"\nemission = "synchrotron"\nfrequency = [86, 230, 345]\n',
+    "medium-bands": '[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "flow"\nfrequency = [86, 230]\n',
     "polarisation": '[sky]\nkind = "black"\n[disc]\nemission = "thermal"\npolarisation = "scattering"\n',
     "polariser": '[disc]\nemission = "thermal"\npolarisation = "synchrotron"\n[picture]\npolariser = 30\n',
     "spin, polariser": '[spacetime]\nmetric = "kerr"\n[disc]\nemission = "thermal"\npolarisation = "scattering"\n[picture]\npolariser = 30\n[spot]\n[light]\ndelay = "off"\n',

@@ -43,6 +43,7 @@ KeyValue random_value(const SceneKey& key, std::mt19937& random, int choice) {
     KeyValue value;
     value.number = number();
     value.vector = {unit(), unit(), unit()};
+    value.numbers = {number(), number()};
     value.width = static_cast<int>(random() % 1000000), value.height = static_cast<int>(random() % 1000000);
     value.choice = choice;
     value.text = fmt::format("text {}", random());

@@ -151,6 +151,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kMediumBlackBody, {}},  // gas has its shader too: see below
     {Effect::kMediumSynchrotron, {"log2_synchrotron("}},
     {Effect::kMediumPolarisation, {"medium_stokes(", "stokes_rows(", "screen_direction("}},
+    {Effect::kMediumBands, {"medium_bands(", "law_band", "vec4 medium_band_0;"}},
     {Effect::kDiscGas, {"disc_gas(", "disc_gas_gaps(", "vec4 disc_gas;"}},
 };
 
@@ -289,7 +290,7 @@ TEST_CASE("shader source: the block's members are those of the effects that are 
     for (const EffectRow* row : effect_rows()) all.insert(row->effect);
     const auto members = block_members(all);
     for (std::size_t i = 0; i < members.size(); ++i) CHECK(members[i] == static_cast<int>(i));
-    CHECK(members.size() == 86);
+    CHECK(members.size() == 89);
 }
 
 TEST_CASE("shader source: every row of the effects table has marks here") {

@@ -105,8 +105,8 @@ bool set_key(const char* name, std::size_t name_size, const char* value, std::si
 NULLSCOPE_EXPORT(keys) bool keys() {
     const auto file = toml_of(scene_file_text(session().scene, folder()), "scene");
     if (!file) return answer(file.error());
-    constexpr const char* kTypes[] = {"number", "velocity", "point", "colour", "size",   "whole",
-                                      "choice", "text",     "file",  "metric", "formula"};  // by KeyType
+    constexpr const char* kTypes[] = {"number", "velocity", "point", "colour", "size",    "whole",
+                                      "choice", "text",     "file",  "metric", "formula", "numbers"};  // by KeyType
     std::vector<std::string> list;
     std::map<std::string_view, Scene, std::less<>> holders;  // by the section, of those that are there
     for_each_section(session().scene, [&](const Section& section, const std::string&, const Scene& holder) {
