@@ -24,6 +24,7 @@
 #include "cli/recorded_options.h"
 #include "cli/workers.h"
 #include "command/arguments.h"
+#include "command/band_pictures.h"
 #include "command/flux.h"
 #include "command/shot.h"
 #include "command/stereo_capture.h"
@@ -33,6 +34,7 @@
 #include "plan/dump_window.h"
 #include "plan/shutter.h"
 #include "render/picture_bands.h"
+#include "scene/medium_bands.h"
 #include "scene/medium_dumps.h"
 #include "scene/projection.h"
 #include "scene/split.h"
@@ -140,18 +142,22 @@ Result<std::string> draw(const Job& job, Session* session, const Exposure& shown
     const bool all_round = scene.camera.stereo == Stereo::kAllRound;
     if (session != nullptr && options.to_exr() && options.to_linear_light() && !options.raydata && !options.layers &&
         options.st_map.empty() && !job.split && !scene.split && !all_round && !names_faces(options) &&
-        (options.half || is_drawn_in_bands(scene))) {
+        (options.half || (is_drawn_in_bands(scene) && !has_bands(scene)))) {
         TRY(beside, side_by_side_pictures(shown));
         return capture_large_exr(*session, origin, *beside, options, file);
     }
     const auto drawn = [&](const Exposure& one) {
-        return draw_shot(job, session, one, options.drawing(), !options.plain, next ? &*next : nullptr);
+        DrawOptions drawing = options.drawing();
+        drawing.in_bands = drawing.in_bands || has_bands(scene);
+        return draw_shot(job, session, one, drawing, !options.plain, next ? &*next : nullptr);
     };
     if (names_faces(options)) return draw_faces(origin, shown, options, drawn);
     TRY(captured, drawn(shown));
     TRY(written, write_picture(file, origin, *captured, options));
-    const auto flux = flux_unit(scene, job.split || scene.split || scene.camera.stereo != Stereo::kOff);
+    const bool several = job.split || scene.split || scene.camera.stereo != Stereo::kOff;
+    const auto flux = captured->bands.empty() ? flux_unit(scene, several) : std::nullopt;
     std::string said = captured->made_by;
+    if (const std::string words = band_words(scene, several, captured->bands); !words.empty()) said += ", " + words;
     if (flux && options.to_linear_light() && options.st_map.empty()) said += ", " + flux_words(captured->linear, *flux);
     if (!captured->stokes.empty()) {
         const auto [x, y] = line_of_sight(scene.camera);
@@ -246,7 +252,8 @@ Result<bool> draw_frame(const Job& job, Session* session, const CaptureOptions& 
                                                           : fmt::format(", {} sub-frames in {:.1f} s",
                                                                         shown.sub_frames.size(), clock.seconds());
         const auto [width, height] = stereo_size(job.scene.camera);
-        if (!options.to_film()) line = fmt::format("{}: {}x{}, {}{}\n", file, width, height, *made_by, blur);
+        if (!options.to_film())
+            line = fmt::format("{}: {}x{}, {}{}\n", files_of(file, job.scene, options), width, height, *made_by, blur);
     }
     if (keeps) store->release(frame);
     watch.done(frame, line);

@@ -49,6 +49,7 @@ struct CaptureOptions : DrawOptions {
         if (words_asked() || to_displayed_light()) options.sample = Sample::kWord;
         options.in_bands = !to_exr();  // its bands go straight into the file
         options.stokes = !half && !to_film() && (to_linear_light() || to_one_picture());
+        options.bands = !half && to_linear_light();
         return options;
     }
 };

@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/table_file.h"
 #include "command/arguments.h"
+#include "command/band_pictures.h"
 #include "command/capture_picture.h"
 #include "command/curve_plot.h"
 #include "command/flux.h"
@@ -20,6 +21,7 @@
 #include "plan/dump_window.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
+#include "scene/medium_bands.h"
 #include "scene/medium_dumps.h"
 #include "scene/projection.h"
 #include "scene/spot_orbit.h"
@@ -38,15 +40,15 @@ struct LightcurveOptions {
 
 struct CurvePoint {
     double time;
-    std::array<double, 4> flux;  // luminance, red, green, blue, over the solid angle: 1 is a steradian of white
-    double jansky = 0.0;         // where the scene has a FluxUnit
-    StokesPoint stokes{};        // in the unit of flux[0], where light is polarised
+    std::array<double, 4> flux;    // luminance, red, green, blue, over the solid angle: 1 is a steradian of white
+    std::vector<double> jansky{};  // by the columns of flux
+    StokesPoint stokes{};          // in the unit of flux[0], where light is polarised
 };
 
 bool dimmer(const CurvePoint& a, const CurvePoint& b) { return a.flux[0] < b.flux[0]; }
 
 // Sum over the region of light times the solid angle of each pixel.
-std::array<double, 4> light_of(const Image<float>& picture, const CameraSpec& camera,
+std::array<double, 4> light_in(const Image<float>& picture, const CameraSpec& camera,
                                const std::array<int, 4>& region) {
     std::array<double, 4> sum{};
     for (int y = region[1]; y < region[3]; ++y)
@@ -67,33 +69,51 @@ double period_of(const Scene& scene, double from) {
     return sphere != nullptr && sphere->amplitude > 0 ? sphere->period : 100.0;
 }
 
+// Of matter's light alone: "jansky", or of several frequencies one each.
+struct FluxColumn {
+    std::string name;
+    FluxUnit unit;
+};
+std::vector<FluxColumn> flux_columns(const Scene& scene) {
+    const bool several = scene.split || scene.camera.stereo != Stereo::kOff;
+    std::vector<FluxColumn> columns;
+    for (const auto& unit : band_units(scene, several))
+        if (unit) columns.push_back({fmt::format("jansky_{}GHz", unit->frequency_GHz), *unit});
+    if (has_bands(scene)) return columns;
+    if (const auto unit = flux_unit(scene, several)) columns.push_back({"jansky", *unit});
+    return columns;
+}
+
 // What the columns mean, for people.
-std::string column_words(const std::optional<FluxUnit>& unit, bool polarised) {
+std::string column_words(const std::vector<FluxColumn>& columns, bool polarised) {
     std::string words = "light against time. time: r_s/c; flux: luminance times solid angle (sr), white is 1";
-    if (unit) words += fmt::format("; jansky: flux density at {} GHz, Jy", unit->frequency_GHz);
+    for (const FluxColumn& column : columns)
+        words += fmt::format("; {}: flux density at {} GHz, Jy", column.name, column.unit.frequency_GHz);
     if (polarised) words += "; stokes_q, stokes_u: of flux, angles from the picture's right towards up";
     return words;
 }
 
-std::string csv_of(const std::vector<CurvePoint>& curve, bool jansky, bool polarised) {
-    std::string text =
-        fmt::format("time,flux,red,green,blue{}{}\n", jansky ? ",jansky" : "", polarised ? ",stokes_q,stokes_u" : "");
+std::string csv_of(const std::vector<CurvePoint>& curve, const std::vector<FluxColumn>& columns, bool polarised) {
+    std::string text = "time,flux,red,green,blue";
+    for (const FluxColumn& column : columns) text += ',' + column.name;
+    text += polarised ? ",stokes_q,stokes_u\n" : "\n";
     for (const CurvePoint& s : curve) {
         text += fmt::format("{:.17g},{:.9g},{:.9g},{:.9g},{:.9g}", s.time, s.flux[0], s.flux[1], s.flux[2], s.flux[3]);
-        if (jansky) text += fmt::format(",{:.9g}", s.jansky);
+        for (const double jansky : s.jansky) text += fmt::format(",{:.9g}", jansky);
         if (polarised) text += fmt::format(",{:.9g},{:.9g}", s.stokes.q, s.stokes.u);
         text += '\n';
     }
     return text;
 }
 
-// The vertical axis in Jy, where there is a unit. Beside it Q and U, where there are these.
-std::string svg_of(const Scene& scene, const std::vector<CurvePoint>& curve, const std::optional<FluxUnit>& unit,
+// The vertical axis in Jy, where there is a unit, of several frequencies the first. Beside it Q and U, where there are these.
+std::string svg_of(const Scene& scene, const std::vector<CurvePoint>& curve, const std::vector<FluxColumn>& columns,
                    const StokesLoop& loop) {
     std::vector<std::array<double, 2>> points;
     points.reserve(curve.size());
-    for (const CurvePoint& s : curve) points.push_back({s.time, unit ? s.jansky : s.flux[0]});
-    const std::string title = unit ? fmt::format("{}: Jy at {} GHz", scene.name, unit->frequency_GHz) : scene.name;
+    for (const CurvePoint& s : curve) points.push_back({s.time, s.jansky.empty() ? s.flux[0] : s.jansky.front()});
+    const std::string title =
+        columns.empty() ? scene.name : fmt::format("{}: Jy at {} GHz", scene.name, columns.front().unit.frequency_GHz);
     if (loop.empty()) return curve_plot(title, "time, r_s/c", points);
     return svg_document(
         kCurveWidth + kLoopWidth, kCurveHeight,
@@ -115,7 +135,7 @@ struct Curve {
     std::string drawn_by;
 };
 Result<Curve> curve_of(const LightcurveOptions& options, Scene scene, double from, double to,
-                       const std::array<int, 4>& region, const std::optional<FluxUnit>& unit) {
+                       const std::array<int, 4>& region, const std::vector<FluxColumn>& columns) {
     std::optional<Session> session;
     std::optional<PictureDrawer> exact;
     if (options.renderer == "gl") {
@@ -123,29 +143,42 @@ Result<Curve> curve_of(const LightcurveOptions& options, Scene scene, double fro
         session = std::move(*opened);
     } else {
         DrawOptions each;
-        each.samples = options.samples.value_or(1);
+        each.samples = options.samples.value_or(1), each.bands = !columns.empty();
         each.listener.progress = [](const std::string&, long long) { return Advance([](long long) {}); };
         TRY(drawer, picture_drawer(nullptr, scene, each));
         exact = std::move(*drawer);
     }
-    const auto picture_of = [&]() -> Result<Image<float>> {
-        if (exact) {
-            TRY(drawn, (*exact)(scene));
-            return std::move(drawn->linear);
-        }
-        TRY(ready, session->renderer->prepare(scene));
+    const auto light_of = [&](const Exposure& one) -> Result<Image<float>> {
+        TRY(ready, session->renderer->prepare(one.scene));
         tell_notes(*session, DrawOptions().listener);
         return session->renderer->picture();
+    };
+    const auto stokes_of = [&](const Exposure& one) -> Result<Image<float>> {
+        TRY(ready, session->renderer->prepare(one.scene));
+        return draw_stokes(*session->renderer);
+    };
+    const auto captured = [&]() -> Result<Captured> {
+        if (exact) return (*exact)(scene);
+        Captured drawn;
+        TRY(light, light_of(scene));
+        drawn.linear = std::move(*light);
+        if (is_polarised(scene)) drawn.stokes = draw_stokes(*session->renderer);
+        if (columns.empty()) return drawn;
+        TRY(bands, band_pictures(scene, {light_of, stokes_of}, drawn.linear));
+        drawn.bands = std::move(*bands);
+        return drawn;
     };
     Curve curve{{}, session ? session->renderer->info().renderer : "reference tracer"};
     Progress progress("light curve", options.steps);
     for (int i = 0; i < options.steps; ++i, progress.advance()) {
         scene.time = from + i * (to - from) / (options.steps - 1);
-        TRY(picture, picture_of());
-        curve.samples.push_back(
-            {scene.time, light_of(*picture, scene.camera, region), unit ? flux_of(*picture, *unit, region) : 0.0, {}});
-        if (session && is_polarised(scene))
-            curve.samples.back().stokes = stokes_sum(draw_stokes(*session->renderer), scene.camera, region, scene.time);
+        TRY(drawn, captured());
+        CurvePoint point{scene.time, light_in(drawn->linear, scene.camera, region)};
+        for (std::size_t k = 0; k < columns.size(); ++k)
+            point.jansky.push_back(
+                flux_of(drawn->bands.empty() ? drawn->linear : drawn->bands[k].light, columns[k].unit, region));
+        if (!drawn->stokes.empty()) point.stokes = stokes_sum(drawn->stokes, scene.camera, region, scene.time);
+        curve.samples.push_back(std::move(point));
     }
     return curve;
 }
@@ -176,21 +209,23 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
         for (const double time : {from, to})
             if (const auto fault = medium_time_fault(*scene, time))
                 return bad_input(fmt::format("{}: {} {}", options.scene, fault->key, fault->what), fault->allowed);
-    const auto unit = flux_unit(*scene, scene->split || scene->camera.stereo != Stereo::kOff);
+    const std::vector<FluxColumn> columns = flux_columns(*scene);
     const bool polarised = is_polarised(*scene) && options.renderer == "gl";
-    TRY(curve, curve_of(options, *scene, from, to, *region, unit));
+    TRY(curve, curve_of(options, *scene, from, to, *region, columns));
     std::vector<double> times;
     for (const CurvePoint& point : curve->samples) times.push_back(point.time);
     StokesLoop loop;
     for (const CurvePoint& point : curve->samples)
         if (polarised) loop.push_back(point.stokes);
-    TRY(written, write_table(options.output + ".csv", csv_of(curve->samples, unit.has_value(), polarised),
-                             options.output + ".svg", svg_of(*scene, curve->samples, unit, loop),
+    TRY(written, write_table(options.output + ".csv", csv_of(curve->samples, columns, polarised),
+                             options.output + ".svg", svg_of(*scene, curve->samples, columns, loop),
                              {*scene, options.scene, options.given.words(), curve->drawn_by,
-                              column_words(unit, polarised), times}));
+                              column_words(columns, polarised), times}));
     const auto peak = std::ranges::max_element(curve->samples, dimmer);
-    const std::string most = unit ? fmt::format("{:.4g} Jy at {} GHz", peak->jansky, unit->frequency_GHz)
-                                  : fmt::format("{:.4g}", peak->flux[0]);
+    std::string most = columns.empty() ? fmt::format("{:.4g}", peak->flux[0]) : "";
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        most +=
+            fmt::format("{}{:.4g} Jy at {} GHz", k == 0 ? "" : ", ", peak->jansky[k], columns[k].unit.frequency_GHz);
     fmt::print("{0}.csv, {0}.svg: {1} times from {2:g} to {3:g} r_s/c; brightest at {4:g}, {5}\n", options.output,
                options.steps, from, to, peak->time, most);
     if (polarised) fmt::print("{}\n", words_of(loop));

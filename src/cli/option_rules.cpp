@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "cli/frame_store.h"
+#include "scene/medium_bands.h"
 
 namespace nullscope::cli {
 namespace {
@@ -45,6 +46,8 @@ constexpr OptionAsked kAsked[] = {
     {"--resume", [](const CaptureOptions& o, const Scene&) { return o.resume; }},
     {"one picture", [](const CaptureOptions& o, const Scene&) { return o.to_one_picture(); }},
     {"[split]", [](const CaptureOptions&, const Scene& s) { return s.split.has_value(); }},
+    {"frames of several frequencies",
+     [](const CaptureOptions& o, const Scene& s) { return has_bands(s) && o.format() == &kFitsFormat; }},
     {"picture.shutter", [](const CaptureOptions&, const Scene& s) { return s.picture.shutter > 0.0; }},
 };
 
@@ -76,6 +79,11 @@ const std::vector<OptionRule>& option_rules() {
          false,
          "--raydata, --layers and --st-map are for one instant, but picture.shutter averages several",
          "scenes without it"},
+        {"frames of several frequencies",
+         {"--resume", "--workers"},
+         false,
+         "{0}: a FITS of several frequencies is a file for each",
+         "-o NAME%05d.exr, or one process that draws all frames"},
         {"--half", {"[split]"}, false, "--half works for one picture only; leave out [split] of the scene"},
         {"--workers",
          {"one picture"},

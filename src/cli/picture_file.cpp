@@ -1,21 +1,26 @@
 #include "cli/picture_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <string_view>
 #include <utility>
 
+#include "command/band_pictures.h"
 #include "command/fits_header.h"
 #include "command/flux.h"
 #include "command/sky_light.h"
 #include "compare/ray_channels.h"
+#include "compare/rotation_measure.h"
 #include "image/channels.h"
 #include "image/half_float.h"
 #include "image/image_file.h"
 #include "image/picture_formats.h"
 #include "render/picture_bands.h"
+#include "scene/medium_bands.h"
 #include "version/version.h"
 
 namespace nullscope::cli {
@@ -66,9 +71,36 @@ struct LightFile {
     std::map<std::string, std::string> words;
 };
 
+std::string file_of_band(std::string_view file_name, double frequency_GHz) {
+    const std::filesystem::path path(file_name);
+    return (path.parent_path() /
+            fmt::format("{}-{}{}", path.stem().string(), band_name(frequency_GHz), path.extension().string()))
+        .string();
+}
+
+// A file for each frequency: fluxes in Jy, or brightness temperatures.
+Status write_fits_of_bands(const LightFile& file, bool several) {
+    const auto units = band_units(file.origin.scene, several);
+    for (std::size_t i = 0; i < file.captured.bands.size(); ++i) {
+        const BandPicture& band = file.captured.bands[i];
+        FitsHeader header = header_of(file.origin, file.captured, units[i], several, file.words);
+        if (!units[i]) {
+            header.unit = "K", header.unit_comment = "brightness temperature (Rayleigh and Jeans)";
+            header.cards.insert(header.cards.begin(),
+                                FitsCard{"FREQ", 1e9 * band.frequency_GHz, "[Hz] as the camera sees it"});
+        }
+        const double unit = units[i] ? units[i]->jansky : kMediumLight_K;
+        TRY(saved, save_fits(file_of_band(file.name, band.frequency_GHz),
+                             band.stokes.empty() ? times(band.light, unit) : turned_to_north(times(band.stokes, unit)),
+                             header));
+    }
+    return Done{};
+}
+
 Status write_fits(LightFile file) {
     const Scene& scene = file.origin.scene;
     const bool several = !file.options.split.empty() || scene.split || scene.camera.stereo != Stereo::kOff;
+    if (!file.captured.bands.empty()) return write_fits_of_bands(file, several);
     const auto flux = flux_unit(scene, several);
     const FitsHeader header = header_of(file.origin, file.captured, flux, several, std::move(file.words));
     return save_fits(file.name, sky_planes(file.captured, flux), header, flux ? Image<float>() : file.captured.linear);
@@ -109,6 +141,17 @@ void convert_to(const Primaries& primaries, ChannelImage& image) {
     }
 }
 
+// "band.86GHz.I", and of polarised light .Q, .U, .V and the rotation measure.
+void add_bands(const std::vector<BandPicture>& bands, ChannelImage& channels) {
+    for (const BandPicture& band : bands) {
+        const std::string layer = fmt::format("band.{}.", band_name(band.frequency_GHz));
+        channels.channels[layer + 'I'] = channel_of(band.light, 0);
+        for (int c = 1; !band.stokes.empty() && c < kStokesParameters; ++c)
+            channels.channels[layer + "IQUV"[c]] = channel_of(band.stokes, c);
+    }
+    if (const Image<float> rm = rotation_measure_image(bands); !rm.empty()) channels.channels["rm"] = channel_of(rm, 0);
+}
+
 Status write_exr(LightFile file) {
     const Captured& captured = file.captured;
     const Image<float> displayed = file.options.to_displayed_light() ? displayed_light(captured.words) : Image<float>();
@@ -122,6 +165,7 @@ Status write_exr(LightFile file) {
                               [&](int) -> Result<Image<float>> { return std::move(colours); });
     }
     ChannelImage channels{light.width, light.height, {}, {}};
+    add_bands(captured.bands, channels);
     for (int c = 0; c < 3; ++c) channels.channels[std::string(1, "RGB"[c])] = channel_of(light, c);
     if (captured.rays) add_ray_channels(*captured.rays, RayNames::kAlone, channels);
     if (captured.layers) add_layer_channels(*captured.layers, file.origin.scene, channels);
@@ -167,6 +211,8 @@ Result<std::string> capture_large_exr(Session& session, const PictureOrigin& ori
             return all;
         }));
     if (options.half) say_halves(file_name, beyond, options.listener);
+    if (has_bands(origin.scene))
+        options.listener.note(fmt::format("{}: with --half no frequency has a channel of its own", file_name));
     return made_by(session);
 }
 
@@ -179,6 +225,17 @@ Status write_picture(const std::string& file_name, const PictureOrigin& origin, 
                                         fmt::format("nullscope {}", kVersion), options.quality, *words});
     const auto writer = std::ranges::find(kLightWriters, format, &LightWriter::format);
     return writer->write({file_name, origin, captured, options, std::move(*words)});
+}
+
+std::string files_of(const std::string& file_name, const Scene& scene, const CaptureOptions& options) {
+    const bool alone = options.split.empty() && !scene.split && scene.camera.stereo == Stereo::kOff;
+    if (format_named(file_name) != &kFitsFormat || !has_bands(scene) || !alone) return file_name;
+    std::vector<std::string> names;
+    for (const double frequency : scene.medium->bands_GHz) names.push_back(band_name(frequency));
+    const std::filesystem::path path(file_name);
+    return (path.parent_path() /
+            fmt::format("{}-{{{}}}{}", path.stem().string(), fmt::join(names, ","), path.extension().string()))
+        .string();
 }
 
 }  // namespace nullscope::cli

@@ -19,4 +19,7 @@ Result<std::string> capture_large_exr(Session& session, const PictureOrigin& ori
 Status write_picture(const std::string& file_name, const PictureOrigin& origin, const Captured& captured,
                      const CaptureOptions& options);
 
+// What it writes there: the file itself, or of a FITS of several frequencies one for each, "NAME-{86GHz,230GHz}.fits".
+std::string files_of(const std::string& file_name, const Scene& scene, const CaptureOptions& options);
+
 }  // namespace nullscope::cli

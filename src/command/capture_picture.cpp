@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/assets.h"
+#include "command/band_pictures.h"
 #include "command/capture_layers.h"
 #include "command/reference_inputs.h"
 #include "image/picture_formats.h"
@@ -56,6 +57,16 @@ void encode(const Scene& scene, Sample sample, Captured& captured) {
     if (sample == Sample::kWord) captured.words = display_encoded16(captured.linear, exposure, scene.picture);
 }
 
+BandDrawing drawing_of_bands(Session& session, const Exposure& shown, const DrawOptions& options) {
+    BandDrawing draw{[&](const Exposure& one) { return linear_picture(session, one, options); }, nullptr};
+    if (!is_drawn_in_bands(shown.scene))
+        draw.stokes = [&](const Exposure& one) -> Result<Image<float>> {
+            TRY(ready, session.renderer->prepare(one.scene));
+            return draw_stokes(*session.renderer);
+        };
+    return draw;
+}
+
 Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawOptions& options, const Scene* next) {
     begin_drawing(session, options);
     Captured captured;
@@ -84,6 +95,10 @@ Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawO
     }
     tell_notes(session, options.listener);
     if (options.raydata && !options.layers) captured.rays = session.renderer->ray_data();  // layers have them
+    if (options.bands && options.st_map.empty()) {
+        TRY(bands, band_pictures(shown, drawing_of_bands(session, shown, options), captured.linear));
+        captured.bands = std::move(*bands);
+    }
     return captured;
 }
 
@@ -112,15 +127,20 @@ std::vector<PointStar> stars_of(const Inputs& inputs, const Scene& scene) {
 Result<Captured> capture_reference(const Inputs& inputs, const Exposure& shown, const DrawOptions& options) {
     const Scene& scene = shown.scene;
     Captured captured;
-    {
-        const auto pictures = std::max(std::ssize(shown.sub_frames), std::ptrdiff_t{1});
+    const auto light_of = [&](const Exposure& one) {
+        const auto pictures = std::max(std::ssize(one.sub_frames), std::ptrdiff_t{1});
         const Advance advance = options.listener.progress("reference picture", pixels_of(scene) * pictures);
-        TRY(image, mean_light(shown, [&](const Scene& each) {
-                return reference::render_frame(each, inputs.loaded->sky, inputs.loaded->pictures(each),
-                                               options.samples.value_or(kSamples), advance, inputs.loaded->far(),
-                                               stars_of(inputs, each));
-            }));
-        captured.linear = std::move(*image);
+        return mean_light(one, [&](const Scene& each) {
+            return reference::render_frame(each, inputs.loaded->sky, inputs.loaded->pictures(each),
+                                           options.samples.value_or(kSamples), advance, inputs.loaded->far(),
+                                           stars_of(inputs, each));
+        });
+    };
+    TRY(image, light_of(shown));
+    captured.linear = std::move(*image);
+    if (options.bands) {
+        TRY(bands, band_pictures(shown, {light_of, nullptr}, captured.linear));
+        captured.bands = std::move(*bands);
     }
     if (options.raydata) {
         TRY(rays, reference_rays(scene, options.listener));

@@ -9,6 +9,7 @@
 #include "command/capture_layers.h"
 #include "command/draw_options.h"
 #include "command/session.h"
+#include "image/band_picture.h"
 #include "image/image.h"
 #include "scene/exposure.h"
 #include "scene/ray.h"
@@ -22,6 +23,7 @@ struct Captured {
     std::optional<RayFrame> rays;          // with options.raydata
     std::optional<LayeredPicture> layers;  // with options.layers
     Image<float> stokes;  // PictureLayers::stokes; with options.stokes or layers, of scenes whose light is polarised
+    std::vector<BandPicture> bands;  // with options.bands, of matter that is seen at several frequencies
     std::string made_by;
 };
 

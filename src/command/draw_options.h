@@ -25,6 +25,7 @@ struct DrawOptions {
     std::optional<int> largest_texture;
     bool raydata = false, layers = false;
     bool stokes = false;  // where light is polarised, of pictures that are not drawn in bands
+    bool bands = false;   // of matter that is seen at several frequencies, each
     std::string st_map;   // sky or plate: instead of colours
     Sample sample = Sample::kLight;
     bool in_bands = false;  // linear light of large pictures is drawn in bands

@@ -10,6 +10,7 @@
 #include "image/luminance.h"
 #include "observer/picture_scale.h"
 #include "plan/medium.h"
+#include "scene/medium_bands.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::cli {
@@ -24,7 +25,7 @@ std::optional<double> pixel_on_sky(const Scene& scene) {
 }
 
 std::optional<FluxUnit> flux_unit(const Scene& scene, bool several) {
-    if (several || !scene.medium || !scene.medium->by_frequency()) return std::nullopt;
+    if (several || !scene.medium || !scene.medium->by_frequency() || shows_bands(scene)) return std::nullopt;
     if (scene.sky.kind != SkyKind::kBlack || scene.disc || !scene.bodies.empty()) return std::nullopt;
     const auto pixel = pixel_on_sky(scene);
     if (!pixel) return std::nullopt;

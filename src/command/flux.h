@@ -18,7 +18,8 @@ struct FluxUnit {
 // What a pixel spans as seen from Earth, rad. Nothing where the picture has no scale (observer/picture_scale.h) or no distance.
 std::optional<double> pixel_on_sky(const Scene& scene);
 
-// Nothing where a picture has other light (sky, disc, bodies) or no pixel_on_sky(); several: where two pictures are side by side.
+// Nothing where a picture has other light (sky, disc, bodies), shows several frequencies as colours (command/band_pictures.h) or has no
+// pixel_on_sky(); several: where two pictures are side by side.
 std::optional<FluxUnit> flux_unit(const Scene& scene, bool several);
 
 Image<float> in_jansky(const Image<float>& linear, const FluxUnit& unit);  // Jy a pixel, one channel

@@ -13,6 +13,7 @@
 #include "plan/dump_window.h"
 #include "plan/shutter.h"
 #include "render/picture_layers.h"
+#include "scene/medium_bands.h"
 #include "scene/medium_dumps.h"
 #include "scene/split.h"
 #include "scenefile/photo_sphere.h"
@@ -30,6 +31,12 @@ void annotate(const Scene& scene, const std::optional<Halves>& split, const List
     if (!marks.note.empty() && !std::exchange(said, true)) listener.note(marks.note);
     if (!captured.bytes.empty()) lay_over(marks.marks, captured.bytes);
     if (!captured.words.empty()) lay_over(marks.marks, captured.words);
+}
+
+void say_no_bands(const Scene& scene, const Listener& listener) {
+    static bool said = false;
+    if (has_bands(scene) && !std::exchange(said, true))
+        listener.note("medium.frequency: of two pictures side by side no band is written by itself");
 }
 
 // Of the light of a smaller picture: streamlines, and ticks over them.
@@ -153,13 +160,16 @@ Result<Captured> draw_shot(const Shot& shot, Session* session, const Exposure& s
         return changed(shown, [&](const Scene& s) { return *split_of(s).*side; });
     };
     const bool stereo = scene.camera.stereo != Stereo::kOff;
-    TRY(captured, stereo ? capture_stereo(session, shown, options)
-                         : capture_picture(session, split ? half(&Halves::left) : shown, options, next));
+    DrawOptions each = options;
+    each.bands = options.bands && !stereo && !split;  // of two pictures there are none
+    if (options.bands && !each.bands) say_no_bands(scene, options.listener);
+    TRY(captured, stereo ? capture_stereo(session, shown, each)
+                         : capture_picture(session, split ? half(&Halves::left) : shown, each, next));
     if (lettered && !stereo) {
         TRY(laid, show_polarisation(session, split ? split->left : scene, options.listener, *captured));
     }
     if (split) {
-        TRY(right, capture_picture(session, half(&Halves::right), options));
+        TRY(right, capture_picture(session, half(&Halves::right), each));
         if (lettered) {
             TRY(laid, show_polarisation(session, split->right, options.listener, *right));
         }
