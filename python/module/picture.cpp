@@ -10,11 +10,13 @@
 
 #include "base/assets.h"
 #include "command/arguments.h"
+#include "command/band_pictures.h"
 #include "command/fits_header.h"
 #include "command/flux.h"
 #include "command/session.h"
 #include "command/shot.h"
 #include "command/stereo_capture.h"
+#include "compare/rotation_measure.h"
 #include "compare/stokes_measures.h"
 #include "image/image_formats.h"
 #include "image/picture_texts.h"
@@ -120,7 +122,7 @@ cli::Captured captured(const Scene& scene, const Asked& asked, const nb::object&
     return run(progress, [&](Watch& watch) -> Result<cli::Captured> {
         cli::DrawOptions options;
         options.listener = watch.listener();
-        options.in_bands = in_bands, options.stokes = true;
+        options.in_bands = in_bands, options.stokes = true, options.bands = in_bands;
         if (asked.renderer == "reference") options.samples = asked.samples;
         TRY(shot, shot_of(scene, asked, options.listener));
         TRY(stereo, cli::check_stereo(shot->scene, options, false));
@@ -136,15 +138,41 @@ cli::Captured captured(const Scene& scene, const Asked& asked, const nb::object&
     });
 }
 
-// Light; Stokes parameters and the net fraction, the resolved one and beta_2, each None where there are none.
+template <class T>
+nb::object array_or_none(Image<T>& image) {
+    return image.empty() ? nb::object(nb::none()) : nb::cast(image_array(image));
+}
+
+// Frequency, light, Stokes parameters or None, Jy a pixel of light 1 or None, of each.
+nb::list bands_of(const Scene& scene, bool several, std::vector<BandPicture>& bands) {
+    nb::list list;
+    const auto units = cli::band_units(scene, several);
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        nb::object jansky = nb::none();
+        if (units[i]) jansky = nb::cast(units[i]->jansky);
+        list.append(nb::make_tuple(bands[i].frequency_GHz, image_array(bands[i].light), array_or_none(bands[i].stokes),
+                                   jansky));
+    }
+    return list;
+}
+
+// Light; Stokes parameters and the net fraction, the resolved one and beta_2, each None where there are none; bands, and of polarised ones the
+// rotation measure of each pixel or None.
 nb::tuple capture(const Scene& scene, const Asked& asked, const nb::object& progress) {
     CameraSpec camera;
     cli::Captured drawn = captured(scene, asked, progress, true, camera);
-    if (drawn.stokes.empty()) return nb::make_tuple(image_array(drawn.linear), nb::none(), nb::none());
-    const auto [x, y] = line_of_sight(camera);
-    const StokesMeasures found = stokes_measures(drawn.stokes, x, y);
-    return nb::make_tuple(image_array(drawn.linear), image_array(drawn.stokes),
-                          nb::make_tuple(found.net, found.resolved, found.beta_2));
+    nb::object measures = nb::none();
+    if (!drawn.stokes.empty()) {
+        const auto [x, y] = line_of_sight(camera);
+        const StokesMeasures found = stokes_measures(drawn.stokes, x, y);
+        measures = nb::make_tuple(found.net, found.resolved, found.beta_2);
+    }
+    Image<float> rotation = rotation_measure_image(drawn.bands);
+    Scene seen = scene;
+    seen.camera = camera;
+    const nb::list bands = bands_of(seen, false, drawn.bands);
+    return nb::make_tuple(image_array(drawn.linear), array_or_none(drawn.stokes), measures, bands,
+                          array_or_none(rotation));
 }
 
 // Twelve doubles a pixel, in the order of the channels.

@@ -10,20 +10,21 @@ _LUMINANCE = (0.2126, 0.7152, 0.0722)   # of Rec. 709
 
 
 def to_ehtim(picture: Picture, *, ra: float | None = None, dec: float | None = None, frequency: float | None = None,
-             mjd: int | None = None, flux: float | None = None, source: str | None = None):
+             mjd: int | None = None, flux: float | None = None, source: str | None = None, band: float | None = None):
     """A picture of capture() as an ehtim.image.Image: what ehtim's load_fits() makes of the picture's FITS file (docs/fits.md).
 
     The first row is north, the first column east, the pixel's size (psize, rad) that of the file; values are Jy a pixel where the only light
     is matter's at one frequency, else luminance. Where light is polarised it has the planes Q, U and V too, drawn again, position angles
     from north through east. ra: hours, [0, 24); dec: degrees, [-90, 90] (default: the object's place, or 0); frequency: Hz (default: the
     matter's, or 230e9); mjd: a whole day (default: ehtim's own); flux: Jy to which the sum of I is scaled; source: a name (default: the object's).
+    band: GHz, one of picture.bands, which is needed where the picture shows several frequencies.
     Error: ehtim is missing, or the picture has no scale on the sky of Earth, is not as capture() drew it in shape, or is changed and polarised.
     """
     try:
         import ehtim.image
     except ImportError as missing:
         raise _core.Error(f"to_ehtim needs the package ehtim (pip install ehtim): {missing}") from missing
-    planes, cards = _planes(picture)
+    planes, cards = _planes(picture, band)
     place = {"ra": _within("ra", ra, 0, 24, cards["CRVAL1"] / 15), "dec": _within("dec", dec, -90, 90, cards["CRVAL2"]),
              "rf": _within("frequency", frequency, 1, 1e20, cards.get("FREQ", 230e9))}
     if mjd is not None:
@@ -41,12 +42,14 @@ def to_ehtim(picture: Picture, *, ra: float | None = None, dec: float | None = N
     return image
 
 
-def _planes(picture):
+def _planes(picture, band):
     if not isinstance(picture, Picture) or picture.scene is None:
         raise _core.Error(f"picture: {type(picture).__name__} is no picture; allowed: what capture() returned")
     cards = _core.on_sky(picture.scene, picture.asked)
     if not str(cards.get("CTYPE1", "")).startswith("RA--"):
         raise _core.Error("picture: it has no scale on the sky of Earth; allowed: what docs/fits.md says of 'Coordinates'")
+    if band is not None or getattr(picture, "bands", None):
+        return _band_planes(picture, band, cards)
     light = np.asarray(picture, dtype=float)
     if light.shape != (cards["HEIGHT"], cards["WIDTH"], 3):
         raise _core.Error(f"picture: an array of shape {light.shape}; allowed: the whole picture, ({cards['HEIGHT']}, {cards['WIDTH']}, 3)")
@@ -57,6 +60,19 @@ def _planes(picture):
         return {"I": cards["JANSKY"] * light[:, :, cards["CHANNEL"]] if "JANSKY" in cards else intensity}, cards
     if not np.allclose(stokes[:, :, 0], intensity, rtol=1e-4, atol=1e-5 * intensity.max()):
         raise _core.Error("picture: its light is polarised and not as capture() drew it; allowed: unchanged, scaled by flux=")
+    return {"I": stokes[:, :, 0], "Q": -stokes[:, :, 1], "U": -stokes[:, :, 2], "V": stokes[:, :, 3]}, cards
+
+
+def _band_planes(picture, band, cards):
+    frequencies = [one.frequency for one in picture.bands]
+    if band not in frequencies:
+        raise _core.Error(f"band: {band!r} is none of the picture's frequencies; allowed: {', '.join(f'{each:g}' for each in frequencies) or 'None'}")
+    one = picture.bands[frequencies.index(band)]
+    unit = one.jansky if one.jansky is not None else 1.0
+    cards = {**cards, "FREQ": 1e9 * one.frequency}
+    if one.stokes is None:
+        return {"I": unit * one.light.astype(float)}, cards
+    stokes = unit * one.stokes.astype(float)
     return {"I": stokes[:, :, 0], "Q": -stokes[:, :, 1], "U": -stokes[:, :, 2], "V": stokes[:, :, 3]}, cards
 
 

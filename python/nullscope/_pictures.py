@@ -23,6 +23,14 @@ class Polarisation(NamedTuple):
     beta_2: complex   # sum of (Q + iU) e^(-2i phi) over the sum of I, phi about the line of sight
 
 
+class Band(NamedTuple):
+    """One of several frequencies at which matter is seen (medium.frequency = [86, 230], docs/matter.md)."""
+    frequency: float            # GHz
+    light: np.ndarray           # brightness temperature in 1e9 K, float32, shape (height, width)
+    stokes: np.ndarray | None   # I, Q, U, V likewise, shape (height, width, 4), of polarised light; angles as Picture.stokes
+    jansky: float | None        # Jy a pixel of light 1, where the object's mass and distance and the picture's scale are known
+
+
 class Picture(np.ndarray):
     """Linear light, Rec. 709, float32, shape (height, width, 3), top row first; notebooks show it as a display would.
 
@@ -35,6 +43,8 @@ class Picture(np.ndarray):
     # [split] or stereo scene, and of pictures that are drawn in bands for their size:
     stokes: np.ndarray | None = None   # I, Q, U, V, float32, shape (height, width, 4): I the luminance, angles from the picture's right towards up; V is 0
     polarisation: Polarisation | None = None
+    bands: tuple[Band, ...] = ()       # of matter seen at several frequencies, ascending, whatever of them the picture shows
+    rotation_measure: np.ndarray | None = None   # of each pixel between polarised bands, rad/m^2, float32, shape (height, width)
 
     def __array_finalize__(self, source):
         self.scene = getattr(source, "scene", None)
@@ -42,7 +52,8 @@ class Picture(np.ndarray):
         self.asked = getattr(source, "asked", {})
 
     def __reduce__(self):
-        return _picture, (self.view(np.ndarray), self.scene, self.options, self.asked, self.stokes, self.polarisation)
+        return _picture, (self.view(np.ndarray), self.scene, self.options, self.asked, self.stokes, self.polarisation, self.bands,
+                          self.rotation_measure)
 
     def display(self) -> np.ndarray:
         """Display-encoded (bloom, exposure, tone curve, sRGB): uint8, shape (height, width, 3)."""
@@ -63,10 +74,11 @@ class Picture(np.ndarray):
         return self.png() if self.ndim == 3 and self.shape[2] == 3 and self.size and self.scene is not None else None
 
 
-def _picture(light, scene, options, asked, stokes=None, polarisation=None):
+def _picture(light, scene, options, asked, stokes=None, polarisation=None, bands=(), rotation_measure=None):
     picture = light.view(Picture)
     picture.scene, picture.options, picture.asked = scene, options, asked
     picture.stokes, picture.polarisation = stokes, polarisation
+    picture.bands, picture.rotation_measure = tuple(bands), rotation_measure
     return picture
 
 
@@ -97,13 +109,15 @@ def capture(scene: SceneLike, size: Size = None, *, renderer: str = "gl", method
     size: (width, height), px; None: the scene's. renderer: "gl", the shader, or "reference", in double precision and slow. method,
     max_error (px), samples (a side of a pixel), time (r_s/c), context: as of the command. frame: of the scene's [path], from 0.
     Returns a Picture: float32, shape (height, width, 3), linear light. Of polarised light it has picture.stokes and picture.polarisation; the
-    shader draws it two times more for these.
+    shader draws it two times more for these. Of matter seen at several frequencies it has picture.bands.
     The first picture of a thread opens an OpenGL context, which the next ones find; forget_session() closes it.
     """
     given = _scene(scene)
     options = _options(size, renderer=renderer, method=method, max_error=max_error, samples=samples, time=time, frame=frame, context=context)
-    light, stokes, measures = _core.capture(given, options, progress)
-    return _picture(light, given, _words(options), options, stokes, measures and Polarisation(*measures))
+    light, stokes, measures, bands, rotation = _core.capture(given, options, progress)
+    bands = [Band(frequency, plane[:, :, 0], planes, jansky) for frequency, plane, planes, jansky in bands]
+    return _picture(light, given, _words(options), options, stokes, measures and Polarisation(*measures), bands,
+                    None if rotation is None else rotation[:, :, 0])
 
 
 def raydata(scene: SceneLike, size: Size = None, *, renderer: str = "gl", method: str = "auto", max_error: float | None = None,
