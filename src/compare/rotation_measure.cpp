@@ -6,11 +6,12 @@
 #include <complex>
 #include <optional>
 
+#include "scene/known_object.h"
+
 namespace nullscope {
 namespace {
 
 double squared_wavelength_m2(double frequency_GHz) {
-    constexpr double kLight_m_s = 299792458.0;
     const double wavelength = kLight_m_s / (1e9 * frequency_GHz);
     return wavelength * wavelength;
 }

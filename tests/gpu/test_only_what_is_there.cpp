@@ -133,6 +133,8 @@ std::vector<Scene> full_scenes() {
     rings.sky.kind = SkyKind::kBlack, rings.light.delay = false;
     rings.disc.emplace().flow = DiscFlowKind::kKepler;
     rings.camera.theta = 1.57;
+    Scene& polarised = scenes.emplace_back(scenes[8]);
+    polarised.medium->field_direction = FieldDirection::kEast, polarised.medium->polarisation = true;
     Scene& bands = scenes.emplace_back(scenes[8]);
     bands.sky.kind = SkyKind::kBlack, bands.medium->bands_GHz = {86, 230};
     for (const MediumModel* model : medium_models()) {

@@ -8,6 +8,7 @@
 
 #include "compare/rotation_measure.h"
 #include "plan/effects.h"
+#include "scene/known_object.h"
 #include "scene/medium_bands.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_file.h"
@@ -16,8 +17,6 @@
 using namespace nullscope;
 
 namespace {
-
-constexpr double kLight_m_s = 299792458.0;
 
 Result<Scene> matter(const std::string& keys) {
     return parse_scene("[object]\nname = \"m87\"\n[sky]\nkind = \"black\"\n[medium]\nkind = \"flow\"\n" + keys,
