@@ -239,8 +239,6 @@ MUTANTS = [Mutant(*row) for row in [
     ("bands-depth", "a frequency is absorbed as the next one", "shaders/medium/bands.glsl",
      "vec3(low.absorption, middle.absorption, high.absorption)", "vec3(middle.absorption, high.absorption, high.absorption)",
      ("gpu_tests", "medium bands*")),
-    ("bands-step", "samples as long as the first frequency allows", "shaders/medium/bands.glsl",
-     "min(min(low.step, middle.step), high.step)", "high.step", ("gpu_tests", "medium bands*")),
     ("rotation-sign", "a rotation measure of the other sign", "src/compare/rotation_measure.cpp",
      "0.5 * std::arg(a * std::conj(b))", "0.5 * std::arg(b * std::conj(a))", ("gpu_tests", "rotation measure*")),
     ("flux-square", "a pixel's flux by its side", "src/command/flux.cpp",
