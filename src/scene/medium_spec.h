@@ -71,6 +71,16 @@ struct JetMatter {
     friend bool operator==(const JetMatter&, const JetMatter&) = default;
 };
 
+// Energies of the electrons of kSynchrotron, gamma of each: a thermal distribution of local_temperature T; gamma^-index from gamma_min to gamma_max;
+// gamma sqrt(gamma^2 - 1) (1 + (gamma - 1)/(kappa w))^-(kappa + 1) with w = k T/(m c^2), which is thermal where kappa is large.
+enum class ElectronKind { kThermal, kPowerLaw, kKappa };
+struct ElectronSpec {
+    ElectronKind kind = ElectronKind::kThermal;
+    double index = 3.0, gamma_min = 30.0, gamma_max = 1e5;
+    double kappa = 3.5;
+    friend bool operator==(const ElectronSpec&, const ElectronSpec&) = default;
+};
+
 enum class MediumEmission { kPowerLaw, kBlackBody, kSynchrotron, kBremsstrahlung };  // by kEmissionLaws
 struct EmissionLaw {
     std::string_view word;    // of the key; its file is shaders/medium/WORD.glsl, with _ in place of -
@@ -81,7 +91,7 @@ struct EmissionLaw {
 inline constexpr EmissionLaw kEmissionLaws[] = {
     {"power-law", "a power of the frequency", true, false, false},
     {"black-body", "Planck's law at its temperature, with the same opacity at all frequencies", false, true, false},
-    {"synchrotron", "thermal electrons in a magnetic field", true, true, true},
+    {"synchrotron", "electrons in a magnetic field", true, true, true},
     {"bremsstrahlung", "thermal electrons among protons", true, true, false},
 };
 
@@ -113,6 +123,7 @@ struct MediumSpec {
     double temperature_K = 8000.0;  // of gas at its inner radius; else of the black body of light 1
     double opacity = 1.0;           // kBlackBody: optical depth for each r_s where the density is 1
     FieldDirection field_direction = FieldDirection::kIsotropic;  // kSynchrotron
+    ElectronSpec electrons{};                                     // kSynchrotron
     Vec3 field_vector{0, 0, 1};  // kVector: radial, azimuthal and north component, of any length above 0
     bool polarisation = false;   // of kSynchrotron in a field of one direction: I, Q, U, V are transferred ...
     bool faraday = true;         // ... with Faraday's rotation and conversion
@@ -125,6 +136,14 @@ struct MediumSpec {
     MediumEmission law() const { return kind == MediumKind::kGas ? MediumEmission::kBlackBody : emission; }
     const EmissionLaw& law_row() const { return kEmissionLaws[static_cast<std::size_t>(law())]; }
     bool by_frequency() const { return law_row().by_frequency; }
+    // Of kSynchrotron whose electrons are not thermal; whether its light depends on a temperature; on that or on a field.
+    bool has_electrons() const {
+        return law() == MediumEmission::kSynchrotron && electrons.kind != ElectronKind::kThermal;
+    }
+    bool warm() const {
+        return law_row().temperature && !(has_electrons() && electrons.kind == ElectronKind::kPowerLaw);
+    }
+    bool by_place() const { return warm() || law_row().field; }
     friend bool operator==(const MediumSpec&, const MediumSpec&) = default;
 };
 inline constexpr double kMediumLight_K = 1e9;
