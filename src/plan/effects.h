@@ -78,6 +78,7 @@ enum class Effect {
     kMediumSynchrotron,
     kMediumPolarisation,
     kMediumBands,
+    kMediumElectrons,
     kEnd  // no effect: how many there are
 };
 // That there is a medium of a kind.

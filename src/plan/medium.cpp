@@ -82,6 +82,11 @@ std::vector<SceneFault> medium_faults(const Spacetime& spacetime, const Scene& s
         faults.push_back({"medium.field_direction", "no file gives this field", "file where kind = \"grid\""});
     if (medium.field_direction == FieldDirection::kVector && length(medium.field_vector) == 0.0)
         faults.push_back({"medium.field_vector", "[0, 0, 0] has no direction", "three numbers, one of them not 0"});
+    if (const ElectronSpec& e = medium.electrons;
+        medium.has_electrons() && e.kind == ElectronKind::kPowerLaw && !(e.gamma_min < e.gamma_max))
+        faults.push_back({"medium.electron_gamma_max",
+                          fmt::format("{} is not above electron_gamma_min = {}", e.gamma_max, e.gamma_min),
+                          "electron_gamma_min < electron_gamma_max"});
     if (is_polarised(medium) && has_polarised_disc(scene))
         faults.push_back(
             {"medium.polarisation", "on, beside a disc that is polarised too", "off, or disc.polarisation = \"off\""});
@@ -147,8 +152,15 @@ bool asks_for_time(const std::string& text) {
 }
 
 const char* warmth_moves(const MediumSpec& medium) {
-    if (medium.law_row().temperature && asks_for_time(medium.formulas.temperature)) return "medium.local_temperature";
+    if (medium.warm() && asks_for_time(medium.formulas.temperature)) return "medium.local_temperature";
     return medium.law_row().field && asks_for_time(medium.formulas.field) ? "medium.field" : nullptr;
+}
+
+ElectronEnergies electron_energies(const MediumSpec& medium) {
+    const ElectronSpec& electrons = medium.electrons;
+    const bool kappa = electrons.kind == ElectronKind::kKappa;
+    return {kappa, kappa ? electrons.kappa : electrons.index, electrons.gamma_min, electrons.gamma_max,
+            medium.field_direction == FieldDirection::kIsotropic};
 }
 
 double medium_light_cgs(double frequency_ghz) {
@@ -183,6 +195,11 @@ LawNumbers numbers_of_law(const FramePlan& plan, const MediumSpec& medium) {
          -std::log2(kMediumLight_K), log2_brightness(medium.temperature_K, plan.scene.light.bolometric),
          late_time(plan)},
         medium.brightness};
+    if (medium.has_electrons()) {
+        const ElectronEnergies energies = electron_energies(medium);
+        const ElectronCells cells = electron_cells(energies);
+        for (const double value : {cells.first, cells.per_octave, energies.index}) law.values.push_back(value);
+    }
     if (medium.law() != MediumEmission::kPowerLaw) return law;
     FlowNumbers flow = flow_numbers(medium, mass);
     if (any_density) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "light/electron_energies.h"
 #include "scene/medium_grid.h"
 #include "scene/scene.h"
 #include "scene/scene_fault.h"
@@ -44,6 +45,9 @@ FlowNumbers flow_numbers(const MediumSpec& medium, double mass_suns);
 // Limits of matter by formula, of the shader (shaderlib/medium_text.h) and of the reference. The formulas of synchrotron radiation are of
 // relativistic electrons: colder ones have none. Each component of gamma v, c.
 inline constexpr double kColdest_K = 5e8, kFastestMatter = MediumGrid::kFastest;
+
+// Of a medium that has_electrons().
+ElectronEnergies electron_energies(const MediumSpec& medium);
 
 // Of light 1 at a frequency: erg/(s cm^2 Hz sr), of the brightness temperature kMediumLight_K (Rayleigh and Jeans).
 double medium_light_cgs(double frequency_ghz);

@@ -5,6 +5,7 @@
 
 #include "plan/feature.h"
 #include "plan/medium.h"
+#include "plan/medium_electrons.h"
 #include "plan/medium_model.h"
 #include "scene/medium_bands.h"
 #include "scene/medium_dumps.h"
@@ -296,8 +297,8 @@ std::vector<Feature> all_features() {
                         },
                         [](Scene& s) { s.medium->emission = MediumEmission::kBlackBody; }});
     features.push_back({{Effect::kMediumSynchrotron, "medium-synchrotron", "EFFECT_MEDIUM_SYNCHROTRON",
-                         "Matter along rays shines by thermal synchrotron radiation.",
-                         "medium.emission is \"synchrotron\"", "a dozen exponentials and roots a sample"},
+                         "Matter along rays shines by synchrotron radiation.", "medium.emission is \"synchrotron\"",
+                         "a dozen exponentials and roots a sample"},
                         [](const FrameFacts& f) {
                             return reason_if(f.has_emission(MediumEmission::kSynchrotron),
                                              fmt::format("medium.emission = \"synchrotron\" at {}",
@@ -310,6 +311,7 @@ std::vector<Feature> all_features() {
                         [](Scene& s) { s.medium->emission = MediumEmission::kSynchrotron; }});
     features.push_back(polarised_feature());
     features.push_back(bands_feature());
+    features.push_back(electrons_feature());
     return features;
 }
 

@@ -11,7 +11,7 @@ namespace {
 bool medium_is_formula(const Scene& s) { return s.medium->kind == MediumKind::kFormula; }
 constexpr std::string_view kFormula = "kind = \"formula\"", kVariables = "x y z r t";
 
-bool is_warm(const Scene& s) { return has_share(s, kWarmth) && s.medium->law_row().temperature; }
+bool is_warm(const Scene& s) { return has_share(s, kWarmth) && s.medium->warm(); }
 bool has_field(const Scene& s) { return has_share(s, kWarmth) && s.medium->law_row().field; }
 
 std::vector<SceneKey> formula_keys() {
@@ -22,7 +22,7 @@ std::vector<SceneKey> formula_keys() {
                         meant,    with};
     };
     const std::string warm(kinds_with(kWarmth));
-    const std::string_view warm_law = kept(warm + " and another emission than \"power-law\""),
+    const std::string_view warm_law = kept(warm + " and another emission and other electrons than \"power-law\""),
                            field_law = kept(warm + " and emission = \"synchrotron\"");
     return {
         formula(
@@ -33,7 +33,7 @@ std::vector<SceneKey> formula_keys() {
         formula(
             "local_temperature", "K", "1e4",
             kept(fmt::format("Temperature; with synchrotron that of the electrons, which emit nothing below 5e8. Needs "
-                             "{}, with another emission than \"power-law\".",
+                             "{}, with another emission, and other electrons, than \"power-law\".",
                              warm)),
             [](auto& s) { return &s.medium->formulas.temperature; }, is_warm, warm_law),
         formula(

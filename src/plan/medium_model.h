@@ -106,11 +106,13 @@ inline double sphere_spans(const MediumSpec& m, double horizon) {
 bool asks_for_time(const std::string& formula);
 const char* warmth_moves(const MediumSpec& medium);
 
-// What all laws are told, by these names; kPowerLaw alone asks for the last four. light: factor on medium.colour.
+// What all laws are told, by these names; then four of kPowerLaw, or of electrons that are not thermal. light: factor on medium.colour.
 inline constexpr std::string_view kLawNumbers =
-    "LAW_SHIFT LAW_BEAMING LAW_FREQUENCY LAW_OPACITY LAW_UNIT LAW_BLACK LAW_BRIGHT LAW_TIME "
-    "LAW_EMITTED_POWER LAW_ABSORBED_POWER LAW_ABSORBED LAW_EMITTED";
-inline constexpr std::size_t kLawValues = 12;
+                                      "LAW_SHIFT LAW_BEAMING LAW_FREQUENCY LAW_OPACITY LAW_UNIT LAW_BLACK LAW_BRIGHT "
+                                      "LAW_TIME ",
+                                  kPowerLawNumbers = "LAW_EMITTED_POWER LAW_ABSORBED_POWER LAW_ABSORBED LAW_EMITTED",
+                                  kElectronNumbers = "ELECTRON_FIRST ELECTRON_RATE ELECTRON_KAPPA";
+inline constexpr std::size_t kLawValues = 12;  // with the larger of the last two
 // What each of several frequencies has of its own, by these names.
 inline constexpr std::string_view kBandNumbers = "LAW_FREQUENCY LAW_UNIT LAW_ABSORBED LAW_EMITTED";
 struct LawNumbers {

@@ -99,6 +99,7 @@ Emission::Emission(const Scene& scene) : spec_(*scene.medium), light_(scene.ligh
     unit_cgs_ = medium_light_cgs(spec_.frequency_GHz);
     length_cm_ = 100 * schwarzschild_radius_m(scene.object.mass().value_or(0.0));
     if (spec_.kind != MediumKind::kGas) opacity_ = spec_.opacity;
+    if (spec_.has_electrons()) electrons_.emplace(spec_.electrons, spec_.field_direction == FieldDirection::kIsotropic);
 }
 
 Emission::Seen Emission::seen(const MatterState& matter, const PlaceMetric& g, const MediumNode& node, double energy,
@@ -148,6 +149,11 @@ Emission::Coefficients Emission::coefficients(const MatterState& matter, double 
         }
         case MediumEmission::kBlackBody: break;
         case MediumEmission::kSynchrotron:
+            if (electrons_) {
+                const ElectronLight light =
+                    electrons_->at(matter.density, matter.temperature_K, matter.field_G, cosine, nu);
+                return {light.emissivity, light.absorptivity};
+            }
             emitted = spec_.field_direction == FieldDirection::kIsotropic
                           ? synchrotron_mean(matter.density, matter.temperature_K, matter.field_G, nu)
                           : synchrotron_at(matter.density, matter.temperature_K, matter.field_G,

@@ -2,8 +2,10 @@
 // the metric's own components, synchrotron radiation in cgs units.
 #pragma once
 #include <array>
+#include <optional>
 
 #include "base/vec.h"
+#include "reference/electron_light.h"
 #include "reference/metric.h"
 #include "scene/scene.h"
 
@@ -42,8 +44,9 @@ private:
     Coefficients coefficients(const MatterState& matter, double nu, double cosine) const;
     MediumSpec spec_;
     LightSpec light_;
-    double length_cm_ = 0;  // r_s
-    double opacity_ = 1;    // of a black body for each r_s where the density is 1
+    double length_cm_ = 0;                           // r_s
+    std::optional<SynchrotronElectrons> electrons_;  // that are not thermal
+    double opacity_ = 1;                             // of a black body for each r_s where the density is 1
     double unit_light_ = 1, unit_cgs_ = 1;
 };
 

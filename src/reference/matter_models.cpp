@@ -32,7 +32,7 @@ public:
           temperature_(parsed(spec_.formulas.temperature)),
           field_(parsed(spec_.formulas.field)) {}
     // Their formulas may depend on the azimuth.
-    double turn() const override { return spec_.law_row().temperature ? farthest_ / 64 : 0; }
+    double turn() const override { return spec_.by_place() ? farthest_ / 64 : 0; }
 
 protected:
     MatterState warm(const MediumNode& node, double density, Vec3 velocity) const {

@@ -74,6 +74,18 @@ double azimuth_ahead(const Spacetime& spacetime, double r) {
     return -hole->a / (hole->outer - hole->inner) * std::log((r - hole->outer) / (r - hole->inner));
 }
 
+// Absorption follows from emission by Kirchhoff's law.
+ElectronLight thermal_light(const MatterState& matter, double cosine, double nu) {
+    const double emissivity = synchrotron_at(matter.density, matter.temperature_K, matter.field_G,
+                                             std::sqrt(std::max(1 - cosine * cosine, 0.0)), nu);
+    const StokesCoefficients s =
+        thermal_stokes(matter.density, matter.temperature_K, std::max(matter.field_G, 1e-6), cosine, nu, true);
+    return {emissivity,   emissivity > 0 ? emissivity / planck(matter.temperature_K, nu) : 0,
+            s.emitted_q,  s.emitted_v,
+            s.emitted_q,  s.emitted_v,
+            s.conversion, s.rotation};
+}
+
 }  // namespace
 
 EvenLight even_light(const EvenMatter& matter) {
@@ -101,6 +113,7 @@ Result<MatterStokes> MatterStokes::make(const Scene& scene) {
     if (!made.carrying_) return bad_input("the reference carries no axes in this metric");
     TRY(read, read_matter(*made.spacetime_, scene));
     made.model_ = make_matter(scene, *made.metric_);
+    if (made.spec_.has_electrons()) made.electrons_.emplace(made.spec_.electrons, false);
     made.unit_cgs_ = medium_light_cgs(made.spec_.frequency_GHz);
     made.length_cm_ = 100 * schwarzschild_radius_m(scene.object.mass().value_or(0.0));
     made.nearest_ = made.model_->horizon() + kMediumAboveHorizon;
@@ -133,20 +146,18 @@ EvenMatter MatterStokes::matter_at(const CarriedAxes& axes, double azimuth, doub
     const double angle = std::atan2(volume_of(axes.up, u, axes.k, b), volume_of(axes.right, u, axes.k, b));
 
     const double nu = 1e9 * spec_.frequency_GHz * (light_.shift ? frequency : 1);
-    const double emissivity = synchrotron_at(matter->density, matter->temperature_K, matter->field_G,
-                                             std::sqrt(std::max(1 - cosine * cosine, 0.0)), nu);
-    const StokesCoefficients stokes = thermal_stokes(matter->density, matter->temperature_K,
-                                                     std::max(matter->field_G, 1e-6), cosine, nu, spec_.faraday);
-    const double length = way * frequency * length_cm_;
-    const double light =
-                     (light_.beaming ? ratio * ratio * ratio : 1) * emissivity * length / unit_cgs_ * spec_.brightness,
-                 depth = emissivity > 0 ? emissivity / planck(matter->temperature_K, nu) * length : 0;
-    const double q = stokes.emitted_q * std::cos(2 * angle), u2 = stokes.emitted_q * std::sin(2 * angle),
-                 v = stokes.emitted_v, convert = stokes.conversion * length;
+    const ElectronLight found =
+        electrons_ ? electrons_->at(matter->density, matter->temperature_K, matter->field_G, cosine, nu)
+                   : thermal_light(*matter, cosine, nu);
+    const double length = way * frequency * length_cm_, faraday = spec_.faraday ? length : 0;
+    const double bright = light_.beaming ? ratio * ratio * ratio : 1,
+                 light = bright * found.emissivity * length / unit_cgs_ * spec_.brightness,
+                 depth = found.absorptivity * length;
+    const double c2 = std::cos(2 * angle), s2 = std::sin(2 * angle);
     return {depth,
-            {depth * q, depth * u2, depth * v},
-            {convert * std::cos(2 * angle), convert * std::sin(2 * angle), stokes.rotation * length},
-            {light, light * q, light * u2, light * v}};
+            {depth * found.absorbed_q * c2, depth * found.absorbed_q * s2, depth * found.absorbed_v},
+            {found.conversion * faraday * c2, found.conversion * faraday * s2, found.rotation * faraday},
+            {light, light * found.emitted_q * c2, light * found.emitted_q * s2, light * found.emitted_v}};
 }
 
 RayStokes MatterStokes::at(const CameraAxes& from, Vec3 direction) const {

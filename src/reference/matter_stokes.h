@@ -3,10 +3,12 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "base/result.h"
 #include "reference/carried_axes.h"
 #include "reference/disc_polarisation.h"
+#include "reference/electron_light.h"
 #include "reference/emission.h"
 #include "reference/matter_model.h"
 
@@ -50,6 +52,7 @@ private:
     std::shared_ptr<const Metric> metric_;
     std::shared_ptr<const CarryingMetric> carrying_;
     std::shared_ptr<const MatterModel> model_;
+    std::optional<SynchrotronElectrons> electrons_;  // that are not thermal
 };
 
 }  // namespace nullscope::reference

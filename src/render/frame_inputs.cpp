@@ -8,6 +8,7 @@
 #include "shaderlib/passes.h"
 #include "sky/packed_sky.h"
 #include "table/disc_light.h"
+#include "table/electron_table.h"
 #include "table/orbit_table.h"
 #include "table/star_lens.h"
 #include "table/table_grid.h"
@@ -54,6 +55,7 @@ Status FrameInputs::begin(const FrameTables& tables, const Method& method, std::
     load_table(tables, method);
     load_heat(tables);
     load_black_body(tables.effects());
+    load_electrons(tables);
     load_tables(tables, method);
     return Done{};
 }
@@ -137,6 +139,14 @@ void FrameInputs::load_black_body(const EffectSet& effects) {
         black_body_ = texture_of(black_body_row());
 }
 
+void FrameInputs::load_electrons(const FrameTables& tables) {
+    std::optional<ElectronEnergies> key;
+    if (tables.effects().contains(Effect::kMediumElectrons)) key = electron_energies(*tables.plan().scene.medium);
+    if (key == electrons_key_) return;
+    electrons_ = key ? texture_of(electron_texels(*key)) : gl::Texture();
+    electrons_key_ = key;
+}
+
 void FrameInputs::load_table(const FrameTables& tables, const Method& method) {
     const Scene& scene = tables.plan().scene;
     if (tables.path().table() == nullptr || method.kind != MethodKind::kTable) {
@@ -167,7 +177,8 @@ void FrameInputs::bind() const {
                                            {"black_body_texture", &black_body_},
                                            {"star_lens_texture", &star_lens_},
                                            {"clearance_texture", &clearances_},
-                                           {"ball_path_texture", &ball_paths_}})
+                                           {"ball_path_texture", &ball_paths_},
+                                           {"electron_texture", &electrons_}})
         gl::bind_texture_2d(unit_of(sampler), *texture);
     gl::bind_texture_2d(unit_of("warp_texture"), warp_.texture());
     gl::bind_texture_layers(unit_of("medium_texture"), medium_.texture());
@@ -204,6 +215,7 @@ std::vector<TextureLine> FrameInputs::lines(const FrameTables& tables) const {
             add(body_image_name(tables.plan().scene, image), picture.width, picture.height, kPicture);
     if (flow_key_) add("disc flow", kDiscFlowCells + 1, kDiscFlowRows, kTexel);
     if (black_body_) add("black body", kBlackBodyCells + 1, 1, kTexel);
+    if (electrons_) add("electrons", kElectronCells + 1, kElectronRows, kTexel);
     if (warp_.rows() > 0) add("warp mesh", kWarpRow, warp_.rows(), kTexel);
     if (const MediumGrid* grid = medium_.grid())
         lines.push_back({"medium grid", grid->rings().count, grid->polar().count * grid->around().count,

@@ -13,6 +13,7 @@
 #include "base/result.h"
 #include "gl/gl.h"
 #include "image/large_image.h"
+#include "light/electron_energies.h"
 #include "render/body_images.h"
 #include "render/frame_numbers.h"
 #include "render/frame_tables.h"
@@ -36,7 +37,7 @@ public:
     static constexpr const char* kSamplers[] = {
         "strip_texture",     "orbit_texture",      "sky_texture",         "disc_texture",       "table_texture",
         "ends_texture",      "other_side_texture", "disc_matter_texture", "black_body_texture", "star_lens_texture",
-        "clearance_texture", "ball_path_texture",  "warp_texture",        "medium_texture"};
+        "clearance_texture", "ball_path_texture",  "warp_texture",        "medium_texture",     "electron_texture"};
     static constexpr int unit_of(std::string_view sampler) {
         return static_cast<int>(std::ranges::find(kSamplers, sampler) - std::begin(kSamplers));
     }
@@ -71,11 +72,14 @@ private:
     void load_table(const FrameTables& tables, const Method& method);
     void load_heat(const FrameTables& tables);
     void load_black_body(const EffectSet& effects);
+    void load_electrons(const FrameTables& tables);
 
     gl::Info info_;
     int largest_picture_ = std::min(info_.max_texture_size, kLargestPicture);
     int rows_revision_ = -1, clearances_revision_ = 0;
-    gl::Texture strip_, ends_, orbit_table_, ball_paths_, clearances_, table_, disc_flow_, black_body_, star_lens_;
+    gl::Texture strip_, ends_, orbit_table_, ball_paths_, clearances_, table_, disc_flow_, black_body_, star_lens_,
+        electrons_;
+    std::optional<ElectronEnergies> electrons_key_;              // of electrons_
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;  // of table_
     std::size_t table_bytes_ = 0;
     double table_ms_ = 0.0;

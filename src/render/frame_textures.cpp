@@ -22,6 +22,7 @@
 #include "sky/packed_sky.h"
 #include "sky/point_stars.h"
 #include "table/disc_light.h"
+#include "table/electron_table.h"
 
 namespace nullscope {
 namespace {
@@ -179,6 +180,9 @@ Result<std::vector<FrameTexture>> frame_textures(const FrameTables& tables) {
                is<Effect::kThermalDisc>);
     if (uses_black_body(effects) || effects.contains(Effect::kPointStars))
         to.add("black body", 1, kBlackBodyCells + 1, 1, kTexel * (kBlackBodyCells + 1), shades);
+    if (effects.contains(Effect::kMediumElectrons))
+        to.add("electrons", 1, kElectronCells + 1, kElectronRows, kTexel * (kElectronCells + 1) * kElectronRows,
+               is<Effect::kMediumElectrons>);
     if (effects.contains(Effect::kPointStars)) {
         TRY(added, add_stars(scene, tables.path().finds_star_images(), to));
     }

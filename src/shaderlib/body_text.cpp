@@ -387,7 +387,7 @@ BodyText body_text(const Scene& scene, const EffectSet& effects) {
     text.materials = materials_of(scene);
     text.medium = medium_text(scene);
     text.law = medium_law_text(scene);
-    text.law_by_place = scene.medium && scene.medium->law_row().temperature;
+    text.law_by_place = scene.medium && scene.medium->by_place();
     text.objects = objects_text(groups, scene);
     if (groups.empty()) return text;
     text.surfaces = surfaces_text(groups), text.march = march_text(groups, scene, effects);

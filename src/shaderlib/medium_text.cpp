@@ -26,7 +26,9 @@ std::string names_text(std::string_view names, std::string_view vectors) {
 
 // What differs from frequency to frequency has a place of its own, where the march puts the numbers of each in turn.
 std::string law_text(const Scene& scene) {
-    std::string text = names_text(kLawNumbers, "medium_law");
+    std::string text = names_text(
+        fmt::format("{}{}", kLawNumbers, scene.medium->has_electrons() ? kElectronNumbers : kPowerLawNumbers),
+        "medium_law");
     if (!shows_bands(scene)) return text;
     text = "vec4 law_band;\n" +
            (bands_as_colours(*scene.medium).size() == kBandsAtOnce ? "#define MEDIUM_THREE_BANDS\n" + text : text);
@@ -34,6 +36,7 @@ std::string law_text(const Scene& scene) {
     int number = 0;
     for (std::string word; words >> word; ++number) {
         const std::size_t at = text.find("#define " + word + " ");
+        if (at == std::string::npos) continue;  // of electrons that are not thermal: the last two
         text.replace(at, text.find('\n', at) - at, fmt::format("#define {} law_band.{}", word, "xyzw"[number]));
     }
     return text;
@@ -48,6 +51,7 @@ std::string function_text(const char* name, const std::string& formula) {
 std::string field_direction_text(const MediumSpec& medium) {
     std::string text = fmt::format("#define COLDEST_K {:.1f}\n", kColdest_K);
     if (medium.field_direction != FieldDirection::kIsotropic) text += "#define FIELD_DIRECTED\n";
+    if (medium.has_electrons() && medium.electrons.kind == ElectronKind::kKappa) text += "#define ELECTRONS_KAPPA\n";
     if (is_polarised(medium) && medium.faraday) text += "#define MEDIUM_FARADAY\n";
     if (medium.field_direction == FieldDirection::kFile) return text;
     const Vec3 way = field_way_of(medium);
@@ -72,10 +76,10 @@ std::string medium_text(const Scene& scene) {
         return fmt::format("medium_{}(at.x, at.y, at.z, r, t)", name);
     };
     const bool formula = medium.kind == MediumKind::kFormula;
-    if (formula || medium.law_row().temperature) text += include_line("effect/expression.glsl");
+    if (formula || medium.by_place()) text += include_line("effect/expression.glsl");
     text += include_line("medium/matter.glsl");
     const std::string density = value("density", f.density, formula),
-                      temperature = value("temperature", f.temperature, medium.law_row().temperature),
+                      temperature = value("temperature", f.temperature, medium.warm()),
                       field = value("field", f.field, medium.law_row().field),
                       outward = value("outward", f.outward, formula), south = value("south", f.south, formula),
                       east = value("east", f.east, formula);
@@ -101,6 +105,7 @@ std::string medium_law_text(const Scene& scene) {
     if (!scene.medium) return "";
     std::string file(scene.medium->law_row().word);
     std::ranges::replace(file, '-', '_');
+    if (scene.medium->has_electrons()) file += "_electrons";
     return include_line(fmt::format("medium/{}.glsl", file));
 }
 

@@ -74,6 +74,8 @@ THINGS = {
                               "field_direction": "south", "velocity_out": "-0.2"}, "object": OBJECT},
     "matter-bands": {"medium": {**MATTER, **HOT, "frequency": [86.0, 230.0, 345.0], "density": f"3e5*{BLOB}", "local_temperature": "6e10", "field": "20",
                                 "velocity_east": "0.3"}, "object": OBJECT},
+    "matter-kappa": {"medium": {**MATTER, **HOT, "density": f"3e4*{BLOB}", "local_temperature": "6e10", "field": "20", "electrons": "kappa",
+                                "field_direction": "out", "velocity_out": "-0.2"}, "object": OBJECT},
     "matter-grid": {"medium": {**HOT, "kind": "grid", "file": "torus.grid", "outer": 8.0, "steps": 128}, "object": OBJECT},
     "matter-and-ball": {"medium": {**MATTER, "density": BLOB, "emission": "black-body", "opacity": 0.4, "brightness": 3.0},
                         "ball": [{**BALL, "position": [1.5, 2.6, 0.5]}]},

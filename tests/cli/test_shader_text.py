@@ -74,6 +74,7 @@ WORDS = {
     "medium-black-body": [],   # JOINT has them
     "medium-synchrotron": [r"log2_synchrotron"],
     "medium-bands": [r"law_band", r"medium_bands?\w*", r"bands_colour"],
+    "medium-electrons": [r"electron_(?:texture|row|scale|sine|stokes)", r"ElectronScale", r"ELECTRON_(?:FIRST|RATE|KAPPA|CELLS|MOST)"],
     "medium-polarisation": [r"medium_stokes", r"stokes_(?:rows|factors|through|turned)", r"screen_direction"],
 }
 # Words of any of several effects.
@@ -126,6 +127,7 @@ SCENES = {
     "limb-darkening": '[sky]\nkind = "black"\n[disc]\nemission = "thermal"\nlimb_darkening = "on"\n',
     "spin, limb-darkening": '[spacetime]\nmetric = "kerr"\n[disc]\nemission = "thermal"\nlimb_darkening = "on"\n',
     "spin, medium-polarisation": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "formula"\nemission = "synchrotron"\nfield_direction = "south"\npolarisation = "on"\n',
+    "spin, medium-electrons": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "formula"\nemission = "synchrotron"\nelectrons = "kappa"\n',
     "medium-polarisation, polariser": '[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "flow"\nemission = "synchrotron"\nfield_direction = "east"\npolarisation = "on"\n[picture]\npolariser = 20\n',
     "spin, medium-bands": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "formula"\nemission = "synchrotron"\nfrequency = [86, 230, 345]\n',
     "medium-bands": '[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "flow"\nfrequency = [86, 230]\n',

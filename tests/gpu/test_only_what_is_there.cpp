@@ -43,6 +43,7 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     if (effects.contains(Effect::kFarSky)) names.insert("far sky");
     if (effects.contains(Effect::kWarp)) names.insert("warp mesh");
     if (effects.contains(medium_effect(MediumKind::kGrid))) names.insert("medium grid");
+    if (effects.contains(Effect::kMediumElectrons)) names.insert("electrons");
     if (effects.contains(Effect::kBodyImage))
         for (std::size_t i = 0; i < body_images(scene).size(); ++i)
             names.insert(body_image_name(scene, static_cast<int>(i)));

@@ -119,6 +119,40 @@ TEST_CASE("polarised matter: of a file, with the field that it has" * test::cost
     });
 }
 
+// Thin, and dense enough that absorption, rotation and conversion all count.
+TEST_CASE("polarised matter: electrons of a power law and of kappa") {
+    constexpr double kPixel = 1e-3, kHalved = 2e-3;  // of the brightest pixel; of the flux, where the step is halved
+    on_one_context([&](GpuSession& session) {
+        for (int i = 0; i < by_depth(2, 4, 4); ++i) {
+            const bool kappa = i % 2 == 1, dense = i == 1 || i == 2;
+            Scene scene = polarised_matter({"kerr", {{"spin", 0.9}}}, FieldDirection::kVector, false);
+            MediumSpec& medium = *scene.medium;
+            medium.field_vector = {0.8, -0.4, 0.3};
+            medium.electrons.kind = kappa ? ElectronKind::kKappa : ElectronKind::kPowerLaw;
+            medium.electrons.gamma_min = dense ? 5 : 30;
+            medium.formulas.density = fmt::format("{}*exp(-r^2/18-(z/(0.3*max(r,1)))^2/2)", dense ? 4e6 : 1e5);
+            CameraSpec& camera = scene.camera;
+            camera.width = 40, camera.height = 24, camera.r = 60, camera.theta = 1.0, camera.roll = 0.4;
+            camera.plane_width = 16.0 / camera.r, camera.focal_distance = 1;
+            WorstStokes worst;
+            compare_stokes(session, scene, worst);
+            hold(fmt::format("electrons, {}{}", kappa ? "kappa" : "power law", dense ? ", dense" : ""), worst);
+            for (const double error : worst.error) CHECK(error < kPixel);
+            const auto flux = [&] {
+                REQUIRE(session.renderer->prepare(scene));
+                const Image<float> stokes = draw_layers(*session.renderer).stokes;
+                std::array<double, 4> sum{};
+                for (std::size_t n = 0; n < stokes.data.size(); ++n) sum[n % 4] += stokes.data[n];
+                return sum;
+            };
+            const auto whole = flux();
+            medium.step = 0.5;
+            const auto halved = flux();
+            for (std::size_t c = 0; c < 4; ++c) CHECK(std::abs(halved[c] - whole[c]) < kHalved * whole[0]);
+        }
+    });
+}
+
 // Where neither absorption nor conversion acts on what is polarised.
 TEST_CASE("polarised matter: the intensity of thin matter is what it is without polarisation") {
     constexpr double kIntensity = 1e-5;  // of the brightest pixel

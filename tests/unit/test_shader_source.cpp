@@ -150,6 +150,7 @@ const std::vector<Mark> kMarks = {
     {medium_effect(MediumKind::kGrid), {"medium_texture", "grid_at(", "GRID_RING"}},
     {Effect::kMediumBlackBody, {}},  // gas has its shader too: see below
     {Effect::kMediumSynchrotron, {"log2_synchrotron("}},
+    {Effect::kMediumElectrons, {"electron_texture", "electron_scale(", "ELECTRON_FIRST"}},
     {Effect::kMediumPolarisation, {"medium_stokes(", "stokes_rows(", "screen_direction("}},
     {Effect::kMediumBands, {"medium_bands(", "law_band", "vec4 medium_band_0;"}},
     {Effect::kDiscGas, {"disc_gas(", "disc_gas_gaps(", "vec4 disc_gas;"}},
