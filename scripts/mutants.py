@@ -179,6 +179,8 @@ MUTANTS = [Mutant(*row) for row in [
      "float f_phi = f.z - speed * f.w;", "float f_phi = f.z;", STOKES),
     ("stokes-rotation", "Faraday rotation the other way", "shaders/medium/synchrotron_stokes.glsl",
      "turn * cosine * ratios.x * rest", "-turn * cosine * ratios.x * rest", STOKES),
+    ("stokes-beyond", "polarised light of samples that are not in the matter", "shaders/medium/march.glsl",
+     "vec3 emitted = way > 0.0 ? stokes.emitted : vec3(0.0);", "vec3 emitted = stokes.emitted;", STOKES),
     ("electron-source", "light of electrons as bright as if their scale were 1", "shaders/medium/synchrotron_electrons.glsl",
      "shape.x - shape.y + scale.wide;", "shape.x - shape.y;", ("gpu_tests", "electrons*")),
     ("electron-turn", "Faraday rotation of electrons the other way", "shaders/medium/electrons_stokes.glsl",

@@ -122,7 +122,9 @@ MediumSum medium_add_stokes(MediumSum sum, MediumLight found, MediumStokes stoke
     float depth = way > 0.0 ? found.absorption * way : 0.0;
     vec3 light = way > 0.0 ? found.emission * way : vec3(0.0);
     vec3 turned = way > 0.0 ? clamp(stokes.turned * way, -STOKES_MOST_TURN, STOKES_MOST_TURN) : vec3(0.0);
-    sum.stokes = stokes_through(sum.stokes, light, depth, stokes.emitted, depth * stokes.absorbed, turned);
+    vec3 emitted = way > 0.0 ? stokes.emitted : vec3(0.0);
+    vec3 absorbed = way > 0.0 ? depth * stokes.absorbed : vec3(0.0);
+    sum.stokes = stokes_through(sum.stokes, light, depth, emitted, absorbed, turned);
     sum.through *= exp(-depth);
     return sum;
 }

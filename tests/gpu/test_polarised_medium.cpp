@@ -153,6 +153,26 @@ TEST_CASE("polarised matter: electrons of a power law and of kappa") {
     });
 }
 
+// Samples beyond the matter have no direction; they are none of the picture's.
+TEST_CASE("polarised matter: a flow's Q, U and V are numbers everywhere") {
+    on_one_context([](GpuSession& session) {
+        Scene scene = polarised_matter({"kerr", {{"spin", 0.9}}}, FieldDirection::kEast, false);
+        MediumSpec& medium = *scene.medium;
+        medium.kind = MediumKind::kFlow, medium.density_scale = 1e5;
+        medium.formulas.temperature = "5e10", medium.formulas.field = "10";
+        CameraSpec& camera = scene.camera;
+        camera.width = 16, camera.height = 10, camera.r = 60, camera.theta = 1.05;
+        camera.plane_width = 12.6 / camera.r, camera.focal_distance = 1;
+        for (const ElectronKind kind : {ElectronKind::kThermal, ElectronKind::kPowerLaw, ElectronKind::kKappa}) {
+            medium.electrons.kind = kind;
+            REQUIRE(session.renderer->prepare(scene));
+            const Image<float> stokes = draw_layers(*session.renderer).stokes;
+            CHECK(std::ranges::all_of(stokes.data, [](float part) { return std::isfinite(part); }));
+            CHECK(*std::ranges::max_element(stokes.data) > 0);
+        }
+    });
+}
+
 // Where neither absorption nor conversion acts on what is polarised.
 TEST_CASE("polarised matter: the intensity of thin matter is what it is without polarisation") {
     constexpr double kIntensity = 1e-5;  // of the brightest pixel
