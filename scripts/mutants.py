@@ -181,6 +181,8 @@ MUTANTS = [Mutant(*row) for row in [
      "turn * cosine * ratios.x * rest", "-turn * cosine * ratios.x * rest", STOKES),
     ("stokes-beyond", "polarised light of samples that are not in the matter", "shaders/medium/march.glsl",
      "vec3 emitted = way > 0.0 ? stokes.emitted : vec3(0.0);", "vec3 emitted = stokes.emitted;", STOKES),
+    ("stokes-end", "a march that ends where the mode that is absorbed most does", "shaders/medium/march.glsl",
+     "exp(min(length(absorbed) - depth, 0.0))", "exp(-depth)", STOKES),
     ("electron-source", "light of electrons as bright as if their scale were 1", "shaders/medium/synchrotron_electrons.glsl",
      "shape.x - shape.y + scale.wide;", "shape.x - shape.y;", ("gpu_tests", "electrons*")),
     ("electron-turn", "Faraday rotation of electrons the other way", "shaders/medium/electrons_stokes.glsl",

@@ -125,7 +125,7 @@ MediumSum medium_add_stokes(MediumSum sum, MediumLight found, MediumStokes stoke
     vec3 emitted = way > 0.0 ? stokes.emitted : vec3(0.0);
     vec3 absorbed = way > 0.0 ? depth * stokes.absorbed : vec3(0.0);
     sum.stokes = stokes_through(sum.stokes, light, depth, emitted, absorbed, turned);
-    sum.through *= exp(-depth);
+    sum.through *= exp(min(length(absorbed) - depth, 0.0));   // of what is least absorbed
     return sum;
 }
 #endif

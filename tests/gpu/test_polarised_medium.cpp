@@ -119,7 +119,7 @@ TEST_CASE("polarised matter: of a file, with the field that it has" * test::cost
     });
 }
 
-// Thin, and dense enough that absorption, rotation and conversion all count.
+// Thin; and so thick that of the least absorbed of its two modes a part is seen far behind what hides the other one.
 TEST_CASE("polarised matter: electrons of a power law and of kappa") {
     constexpr double kPixel = 1e-3, kHalved = 2e-3;  // of the brightest pixel; of the flux, where the step is halved
     on_one_context([&](GpuSession& session) {
@@ -130,7 +130,7 @@ TEST_CASE("polarised matter: electrons of a power law and of kappa") {
             medium.field_vector = {0.8, -0.4, 0.3};
             medium.electrons.kind = kappa ? ElectronKind::kKappa : ElectronKind::kPowerLaw;
             medium.electrons.gamma_min = dense ? 5 : 30;
-            medium.formulas.density = fmt::format("{}*exp(-r^2/18-(z/(0.3*max(r,1)))^2/2)", dense ? 4e6 : 1e5);
+            medium.formulas.density = fmt::format("{}*exp(-r^2/18-(z/(0.3*max(r,1)))^2/2)", dense ? 3e7 : 1e5);
             CameraSpec& camera = scene.camera;
             camera.width = 40, camera.height = 24, camera.r = 60, camera.theta = 1.0, camera.roll = 0.4;
             camera.plane_width = 16.0 / camera.r, camera.focal_distance = 1;
