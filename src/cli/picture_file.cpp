@@ -90,9 +90,7 @@ Status write_fits_of_bands(const LightFile& file, bool several) {
                                 FitsCard{"FREQ", 1e9 * band.frequency_GHz, "[Hz] as the camera sees it"});
         }
         const double unit = units[i] ? units[i]->jansky : kMediumLight_K;
-        TRY(saved, save_fits(file_of_band(file.name, band.frequency_GHz),
-                             band.stokes.empty() ? times(band.light, unit) : turned_to_north(times(band.stokes, unit)),
-                             header));
+        TRY(saved, save_fits(file_of_band(file.name, band.frequency_GHz), sky_planes(band, unit), header));
     }
     return Done{};
 }

@@ -49,6 +49,10 @@ Image<float> sky_planes(const Captured& captured, const std::optional<FluxUnit>&
     return unit ? in_jansky(captured.linear, *unit) : luminance_image(captured.linear);
 }
 
+Image<float> sky_planes(const BandPicture& band, double unit) {
+    return band.stokes.empty() ? times(band.light, unit) : turned_to_north(times(band.stokes, unit));
+}
+
 Result<double> sky_scale(const Scene& scene) {
     if (const auto pixel = pixel_on_sky(scene)) return *pixel;
     return bad_input(

@@ -6,6 +6,7 @@
 #include "base/result.h"
 #include "command/capture_picture.h"
 #include "command/flux.h"
+#include "image/band_picture.h"
 #include "image/fits_input.h"
 #include "scene/known_object.h"
 #include "telescope/sky_picture.h"
@@ -14,6 +15,7 @@ namespace nullscope::cli {
 
 // The planes of the picture's FITS file (docs/fits.md): I, or I, Q, U, V with angles from north through east; in Jy by the unit, else relative.
 Image<float> sky_planes(const Captured& captured, const std::optional<FluxUnit>& unit);
+Image<float> sky_planes(const BandPicture& band, double unit);  // unit: of light 1
 
 struct SkyLight {
     SkyPicture picture;  // where it is not in Jy its I adds up to 1
