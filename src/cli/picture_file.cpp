@@ -71,10 +71,10 @@ struct LightFile {
     std::map<std::string, std::string> words;
 };
 
-std::string file_of_band(std::string_view file_name, double frequency_GHz) {
+std::string file_of_band(std::string_view file_name, double frequency) {
     const std::filesystem::path path(file_name);
     return (path.parent_path() /
-            fmt::format("{}-{}{}", path.stem().string(), band_name(frequency_GHz), path.extension().string()))
+            fmt::format("{}-{}{}", path.stem().string(), band_name(frequency), path.extension().string()))
         .string();
 }
 

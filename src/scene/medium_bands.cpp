@@ -47,8 +47,8 @@ std::vector<Scene> scenes_of_bands(const Scene& scene) {
     return scenes;
 }
 
-std::string band_name(double frequency_GHz) {
-    std::string name = fmt::format("{}GHz", frequency_GHz);
+std::string band_name(double frequency) {
+    std::string name = fmt::format("{}GHz", frequency);
     std::ranges::replace(name, '.', ',');
     return name;
 }

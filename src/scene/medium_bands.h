@@ -29,8 +29,8 @@ Scene at_band(Scene scene, std::size_t band);
 // All of them.
 std::vector<Scene> scenes_of_bands(const Scene& scene);
 
-// "86GHz", of names of channels and files: a fraction follows a comma.
-std::string band_name(double frequency_GHz);
+// Of GHz: "86GHz", of names of channels and files: a fraction follows a comma.
+std::string band_name(double frequency);
 // "86, 230, 345 GHz"
 std::string frequency_words(const MediumSpec& medium);
 
