@@ -11,8 +11,8 @@
 namespace nullscope {
 namespace {
 
-double squared_wavelength_m2(double frequency_GHz) {
-    const double wavelength = kLight_m_s / (1e9 * frequency_GHz);
+double squared_wavelength_m2(double frequency_ghz) {
+    const double wavelength = kLight_m_s / (1e9 * frequency_ghz);
     return wavelength * wavelength;
 }
 
