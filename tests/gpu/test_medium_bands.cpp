@@ -34,7 +34,7 @@ Scene matter_scene(MediumKind kind, MediumEmission law, double density) {
     scene.camera.width = 32, scene.camera.height = 18;
     MediumSpec& medium = scene.medium.emplace();
     medium.kind = kind, medium.emission = law;
-    medium.formulas = {fmt::format("{}*exp(-r^2/18)", density), "3e10/max(r, 1)", "30/max(r, 1)"};
+    medium.formulas = {"exp(-r^2/18)", "3e10/max(r, 1)", "30/max(r, 1)"};
     medium.emissivity = 3e-18, medium.spectral_index = 0.7;
     medium.flow.radius = 3, medium.inner = 2, medium.outer = 10, medium.density_scale = density;
     return scene;

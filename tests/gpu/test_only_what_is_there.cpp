@@ -84,7 +84,7 @@ std::vector<Scene> full_scenes() {
     scenes[7].medium->emission = MediumEmission::kBlackBody;
     scenes[8].medium->emission = MediumEmission::kSynchrotron;
     scenes[8].medium->field_direction = FieldDirection::kEast;
-    scenes[8].medium->polarisation = true;
+    scenes[8].medium->electrons.kind = ElectronKind::kKappa;
     scenes[7].object.mass_suns = scenes[8].object.mass_suns = 4e6;
     scenes[9].spacetime = {"kerr", {{"spin", 0.9}}};
     scenes[9].camera.r = 1.1;
