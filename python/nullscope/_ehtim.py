@@ -69,7 +69,7 @@ def _band_planes(picture, band, cards):
         raise _core.Error(f"band: {band!r} is none of the picture's frequencies; allowed: {', '.join(f'{each:g}' for each in frequencies) or 'None'}")
     one = picture.bands[frequencies.index(band)]
     unit = one.jansky if one.jansky is not None else 1.0
-    cards = {**cards, "FREQ": 1e9 * one.frequency}
+    cards = {**cards, "FREQ": 1e9 * one.frequency, **({"JANSKY": one.jansky} if one.jansky is not None else {})}
     if one.stokes is None:
         return {"I": unit * one.light.astype(float)}, cards
     stokes = unit * one.stokes.astype(float)

@@ -9,19 +9,19 @@ from ._ehtim import _planes, to_ehtim
 from ._pictures import Picture
 
 
-def visibility(picture: Picture, u, v, *, pixel: str = "point", stokes: bool = False) -> np.ndarray:
+def visibility(picture: Picture, u, v, *, pixel: str = "point", stokes: bool = False, band: float | None = None) -> np.ndarray:
     """Visibilities of a picture of capture() at (u, v), wavelengths: numbers or arrays of one shape.
 
     V = sum of I e^(2 pi i (u l + v m)), l to the east and m to the north from the picture's middle, rad: the sign of ehtim. pixel: what stands for a
     pixel's light, "point", "square" or "triangle", which is ehtim's own. In Jy where the only light is matter's at one frequency, else
     fractions of the whole light. Returns complex128 of the shape of u; with stokes those of I, Q, U, V as a last axis of 4, angles from north
-    through east; 0 where light is not polarised. A sum over all pixels for each: 0.1 ms for 256 x 256 on a core.
+    through east; 0 where light is not polarised. band: GHz, as to_ehtim's. A sum over all pixels for each: 0.1 ms for 256 x 256 on a core.
     Error: the picture has no scale on the sky of Earth, is changed and polarised, or is dark; numbers that are not finite.
     """
     u, v = (np.asarray(waves, dtype=float) for waves in (u, v))
     if u.shape != v.shape or not (np.isfinite(u).all() and np.isfinite(v).all()):
         raise _core.Error(f"u, v: arrays of shape {u.shape} and {v.shape}, or numbers that are not finite; allowed: finite ones of one shape")
-    planes, cards = _planes(picture)
+    planes, cards = _planes(picture, band)
     light = np.ascontiguousarray(np.stack(list(planes.values()), axis=-1), dtype=float)
     whole = light[:, :, 0].sum()
     if not whole > 0:

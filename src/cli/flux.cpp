@@ -15,6 +15,7 @@
 #include "command/capture_picture.h"
 #include "command/flux.h"
 #include "command/session.h"
+#include "command/sky_light.h"
 #include "plan/medium_model.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_keys.h"
@@ -139,6 +140,7 @@ Status tell_found(const FluxOptions& options, Scene scene, const DensityFound& f
 }
 
 Status check(const FluxOptions& options, const Scene& scene) {
+    TRY(alone, one_frequency(scene));
     if (!flux_unit(scene, scene.split || scene.camera.stereo != Stereo::kOff))
         return bad_input(fmt::format("{}: its picture has no flux in Jy", options.scene),
                          "a scene whose only light is matter's at one frequency ([medium] but no gas, sky.kind = "

@@ -6,6 +6,7 @@
 
 #include "image/luminance.h"
 #include "render/picture_layers.h"
+#include "scene/medium_bands.h"
 
 namespace nullscope::cli {
 namespace {
@@ -53,6 +54,11 @@ Image<float> sky_planes(const BandPicture& band, double unit) {
     return band.stokes.empty() ? times(band.light, unit) : turned_to_north(times(band.stokes, unit));
 }
 
+Status one_frequency(const Scene& scene) {
+    if (!shows_bands(scene)) return Done{};
+    return bad_key("medium.frequency", "the picture shows several frequencies as colours", "one, or shown_band");
+}
+
 Result<double> sky_scale(const Scene& scene) {
     if (const auto pixel = pixel_on_sky(scene)) return *pixel;
     return bad_input(
@@ -63,6 +69,7 @@ Result<double> sky_scale(const Scene& scene) {
 
 Result<SkyLight> sky_light(const Scene& scene, const Captured& captured) {
     TRY(pixel, sky_scale(scene));
+    TRY(alone, one_frequency(scene));
     const auto unit = flux_unit(scene, false);
     const Image<float> planes = sky_planes(captured, unit);
     SkyLight light;

@@ -24,10 +24,12 @@ struct SkyLight {
     std::optional<SkyPlace> place;
 };
 
+Status one_frequency(const Scene& scene);  // bad input where its picture shows several (scene/medium_bands.h)
+
 // pixel_on_sky(), or what is missing (bad input).
 Result<double> sky_scale(const Scene& scene);
 
-// Errors (bad input): the picture has no scale on the sky of Earth, or no light.
+// Errors (bad input): the picture has no scale on the sky of Earth, several frequencies, or no light.
 Result<SkyLight> sky_light(const Scene& scene, const Captured& captured);
 // Errors (bad input): its header has no coordinates of the sky with square pixels, east to the left; it has no light. file: what errors call it.
 Result<SkyLight> sky_light(const FitsPicture& fits, const std::string& file);

@@ -31,6 +31,13 @@ class Bands(support.CliTest):
         said = self.run_nullscope("capture", scene, *SIZE, *options, "-o", "a.exr").out
         return support.read_exr((self.folder / "a.exr").read_bytes()), said
 
+    def test_what_is_of_one_frequency(self):
+        scene = self.scene("m87-synchrotron", list(BANDS))
+        for command in ("flux", "visibility"):
+            self.refused(command, scene, *SIZE, *(("--radial", "0", "10") if command == "visibility" else ()), says=["medium.frequency", "shown_band"])
+        shown = self.scene("m87-synchrotron", list(BANDS), ("[medium]\n", "[medium]\nshown_band = 2\n"))
+        self.assertEqual(self.run_nullscope("flux", shown, *SIZE).out, self.run_nullscope("flux", "m87-synchrotron", *SIZE).out)
+
     def test_each_band_is_the_picture_at_its_frequency(self):
         channels, said = self.exr(self.scene("sgr-a-synchrotron", list(BANDS), SHARP))
         self.assertEqual([name for name in channels if name.startswith("band.")], sorted(f"band.{each}GHz.I" for each in BANDS))
