@@ -156,6 +156,19 @@ class Pictures(Test):
                 with self.assertRaisesRegex(ns.Error, "; allowed: "):
                     call()
 
+    def test_frequencies(self):
+        """The light of each is that of the picture at it alone; what is of one frequency asks which."""
+        bands, matter = (86.0, 230.0, 345.0), {"colour": [1.0, 1.0, 1.0], "brightness": 1.0}
+        picture = ns.capture(ns.scene("m87-synchrotron", medium={**matter, "frequency": list(bands)}, picture={"refine": "off"}), (32, 24))
+        self.assertEqual(tuple(band.frequency for band in picture.bands), bands)
+        for band in picture.bands:
+            alone = ns.capture(ns.scene("m87-synchrotron", medium={**matter, "frequency": band.frequency}, picture={"refine": "off"}), (32, 24))
+            np.testing.assert_allclose(band.light, np.asarray(alone)[:, :, 0], rtol=0, atol=2e-3 * band.light.max())
+            self.assertAlmostEqual(ns.visibility(picture, 0, 0, band=band.frequency).real / ns.visibility(alone, 0, 0).real, 1, delta=1e-3)
+        for call in (lambda: ns.visibility(picture, 0, 0), lambda: ns.visibility(picture, 0, 0, band=100), lambda: ns.to_ehtim(picture)):
+            with self.assertRaises(ns.Error):
+                call()
+
     def test_visibilities_equal_to_the_command_line(self):
         u, v = np.array([[0, 1e9], [-3e9, 2e9]]), np.array([[0, 2e9], [5e9, 0]])
         (self.folder / "uv.csv").write_text("u,v\n" + "".join(f"{a},{b}\n" for a, b in zip(u.ravel(), v.ravel())))
