@@ -29,7 +29,7 @@ targets_of() {
         cli) echo nullscope ;;
         viewer) echo viewer_tests nullscope-viewer ;;
         web) echo nullscope native_answers ;;   # and the page: scripts/web.sh
-        fuzz) echo fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_film fuzz_texts fuzz_rays fuzz_words fuzz_formula fuzz_warp fuzz_medium ;;
+        fuzz) echo fuzz_scene fuzz_tour fuzz_picture fuzz_exr fuzz_film fuzz_texts fuzz_rays fuzz_words fuzz_formula fuzz_warp fuzz_medium fuzz_fits fuzz_stations ;;
         layering | recipes | python | interop) echo nullscope ;;   # so that the build folder exists
         *) echo all ;;
     esac
