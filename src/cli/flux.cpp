@@ -150,9 +150,8 @@ Status check(const FluxOptions& options, const Scene& scene) {
             fmt::format("{}: --target changes density_scale, which this [medium] does not have", options.scene),
             std::string(kinds_with(kDensityScale)));
     if (!options.output.empty() && !options.target) return bad_input("-o: the scene is as it was", "with --target");
-    if (options.samples && options.renderer != "reference")
-        return bad_input("--samples: the shader takes one ray a pixel", "with --renderer reference");
-    return Done{};
+    TRY(context, check_context(options.renderer, options.context));
+    return check_samples_of_reference(options.renderer, options.samples.has_value());
 }
 
 Status run_flux(const FluxOptions& options) {

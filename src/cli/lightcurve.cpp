@@ -198,10 +198,8 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
             fmt::format("{}: nothing in it changes with time", options.scene),
             "a scene with disc.flow, [spot], sphere.amplitude, ball.motion, t in surface.shape or in formulas "
             "of [medium], medium.flow, or dumps as medium.file");
-    if (options.samples && options.renderer != "reference")
-        return bad_input("--samples: the shader takes one ray a pixel", "with --renderer reference");
-    if (options.renderer == "reference" && options.context != "auto")
-        return bad_input("--context: the reference tracer does not use OpenGL", "with --renderer gl");
+    TRY(samples, check_samples_of_reference(options.renderer, options.samples.has_value()));
+    TRY(context, check_context(options.renderer, options.context));
     TRY(region, region_of(options, scene->camera));
     const double from = options.from.value_or(scene->time), to = options.to.value_or(from + period_of(*scene, from));
     if (!(to > from)) return bad_input(fmt::format("--to {} is not after --from {}", to, from));

@@ -230,8 +230,7 @@ Result<int> run_profile(const ProfileOptions& options) {
     if (scene->split || scene->camera.stereo != Stereo::kOff)
         return bad_input(fmt::format("{}: a profile is of one picture", options.scene),
                          "no [split] and no camera.stereo");
-    if (options.renderer == "reference" && options.context != "auto")
-        return bad_input("--context: the reference tracer does not use OpenGL", "with --renderer gl");
+    TRY(context, check_context(options.renderer, options.context));
     TRY(line, profile_line(options, scene->camera));
     TRY(drawn, options.renderer == "gl" ? drawn_gl(options, *scene) : drawn_by_reference(options, *scene, *line));
     const auto points = points_of(*scene, *line, *drawn, options.steps);

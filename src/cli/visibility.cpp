@@ -198,8 +198,7 @@ Result<int> run_visibility(const VisibilityOptions& options) {
     if (options.scene.empty() == options.image.empty())
         return bad_input(options.scene.empty() ? "neither a scene nor --image" : "a scene and --image", "one of both");
     if (!options.image.empty()) return run_on_image(options);
-    if (options.renderer == "reference" && options.context != "auto")
-        return bad_input("--context: the reference tracer does not use OpenGL", "with --renderer gl");
+    TRY(context, check_context(options.renderer, options.context));
     TRY(shot, visibility_shot(options));
     TRY(source, source_in(scene_at(*shot, 0, 0)));
     TRY(frequency, frequency_of(options, *source));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/command_line.h"
+#include "base/result.h"
 #include "scenefile/key_place.h"
 
 namespace nullscope::cli {
@@ -49,6 +50,18 @@ inline void text_option(Command& command, const char* names, std::string& target
 inline void context_option(Command& command, std::string& context,
                            const char* help = "OpenGL context: auto, egl, osmesa") {
     text_option(command, "--context", context, help, {"auto", "egl", "osmesa"});
+}
+
+// Errors: bad input, where options are of the other renderer than that of renderer_option().
+inline Status check_context(const std::string& renderer, const std::string& context) {
+    if (renderer == "reference" && context != "auto")
+        return bad_input("--context: the reference tracer does not use OpenGL", "with --renderer gl");
+    return Done{};
+}
+inline Status check_samples_of_reference(const std::string& renderer, bool samples) {
+    if (samples && renderer != "reference")
+        return bad_input("--samples: the shader takes one ray a pixel", "with --renderer reference");
+    return Done{};
 }
 
 inline void renderer_option(Command& command, std::string& renderer) {
