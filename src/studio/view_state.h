@@ -45,6 +45,7 @@ struct ViewState {
     std::string error;                                 // of the last change, or nothing
     std::string note;                                  // of the file that was opened last, or nothing
     bool show_accuracy = false, show_effects = false;  // the section is open
+    bool show_numbers = false;                         // likewise
     bool show_errors = false;                          // over the picture
     bool show_grid = false;                            // of coordinates, on sky and disc
     bool show_potential = false;                       // of the probe's ray

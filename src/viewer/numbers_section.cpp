@@ -1,7 +1,10 @@
 // The numbers that textbooks name: radii of the spacetime, clocks and angles of the camera.
 #include <imgui.h>
 
+#include <cmath>
+#include <complex>
 #include <numbers>
+#include <string>
 
 #include "observer/landmarks.h"
 #include "viewer/clock_overlay.h"
@@ -49,9 +52,50 @@ void style_rows(NumberStyle& wish, const Scene& scene, const Spacetime& spacetim
     ImGui::Separator();
 }
 
+// On the sky, of the whole picture.
+void polarisation_rows(const FrameFacts& facts, const NumberStyle& style) {
+    if (!has_polarisation_numbers(facts.painting.job.scene)) return;
+    ImGui::Separator();
+    const PolarisationNumbers* found = facts.polarisation;
+    const auto row_of = [&](const std::string& name, const auto& words, const char* help) {
+        number(name.c_str(), found != nullptr ? words(*found) : "...", help);
+    };
+    const auto percent = [&](double part) { return fixed_words(100.0 * part, style, 2) + " %"; };
+    row_of(
+        "Net linear", [&](const PolarisationNumbers& n) { return percent(n.measures.net); },
+        "|sum of Q + iU| over the sum of I, of the whole picture: what a telescope measures that does not resolve it. "
+        "Measured at rest on at most 320 x 320 rays.");
+    row_of(
+        "Resolved", [&](const PolarisationNumbers& n) { return percent(n.measures.resolved); },
+        "Sum of |Q + iU| over the sum of I: the mean over the picture where it is resolved.");
+    row_of(
+        "beta_2",
+        [&](const PolarisationNumbers& n) {
+            return fixed_words(std::abs(n.measures.beta_2), style, 3) + " at " +
+                   fixed_words(180.0 / std::numbers::pi * std::arg(n.measures.beta_2), style, 1) + "\u00b0";
+        },
+        "How the electric vectors wind about the line of sight: sum of (Q + iU) exp(-2 i phi) over the sum of I. At 0 "
+        "degrees they are radial, at 180 degrees they go round, at 90 and -90 degrees they are spirals.");
+    if (has_polarised_medium(facts.painting.job.scene))
+        row_of(
+            "Net circular", [&](const PolarisationNumbers& n) { return percent(n.measures.circular); },
+            "Sum of V over the sum of I.");
+    if (found == nullptr) return;
+    for (const RotationMeasure& rm : found->rotations)
+        row_of(
+            "RM",
+            [&](const PolarisationNumbers&) {
+                return number_words(rm.rad_m2, style, 4) + " rad/m\u00b2\n" + number_words(rm.low_GHz, style) + " to " +
+                       number_words(rm.high_GHz, style) + " GHz";
+            },
+            "Rotation measure of the whole picture's light: how far its angle turns with the wavelength squared "
+            "between "
+            "the two frequencies, of all that the angles allow the smallest.");
+}
+
 }  // namespace
 
-bool numbers_section(ViewState& view) {
+bool numbers_section(ViewState& view, const FrameFacts& facts) {
     const Scene& scene = view.scene;
     const auto spacetime = spacetime_of(scene);
     if (spacetime == nullptr) return false;
@@ -95,6 +139,7 @@ bool numbers_section(ViewState& view) {
     if (here.orbit_period)
         number("Orbit period", time_words(*here.orbit_period, style),
                "Of a circular geodesic here, in the time of a distant observer.");
+    polarisation_rows(facts, style);
     return false;
 }
 

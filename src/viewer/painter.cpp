@@ -51,6 +51,7 @@ void Painter::ask(PaintJob job) {
     job_ = std::move(job);
     painting_.reset();
     order_.reset();
+    polarisation_.reset();
     busy_ = true;
     gives_up_ = false;
     wake_.notify_all();
@@ -58,7 +59,7 @@ void Painter::ask(PaintJob job) {
 
 bool Painter::at_work() const {
     const std::lock_guard lock(mutex_);
-    return at_work_ || job_ || order_;
+    return at_work_ || job_ || order_ || polarisation_;
 }
 
 std::optional<Painting> Painter::take() {
@@ -92,6 +93,25 @@ void Painter::measure(const Scene& scene, const Method& method) {
 std::optional<EffectTimes> Painter::take_times() {
     const std::lock_guard lock(mutex_);
     return std::exchange(times_, std::nullopt);
+}
+
+void Painter::measure_polarisation(const Scene& scene, const Method& method) {
+    if (own_ != nullptr) return do_polarisation(*own_, {scene, method});
+    const std::lock_guard lock(mutex_);
+    polarisation_ = PaintJob{scene, method};
+    wake_.notify_all();
+}
+
+std::optional<std::optional<PolarisationNumbers>> Painter::take_polarisation() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(numbers_, std::nullopt);
+}
+
+void Painter::do_polarisation(FrameRenderer& frame_renderer, const PaintJob& order) {
+    frame_renderer.renderer().set_method(order.method);
+    auto found = polarisation_numbers(frame_renderer.renderer(), order.scene);
+    const std::lock_guard lock(mutex_);
+    numbers_ = std::move(found);
 }
 
 void Painter::trace_loop(std::optional<LoopOrder> order) {
@@ -136,7 +156,8 @@ void Painter::work(const std::stop_token& stop) {
         FrameRenderer frame_renderer;
         LoopTrace trace;
         std::unique_lock lock(mutex_);
-        while (wake_.wait(lock, stop, [this] { return job_ || order_ || loop_due_; }), !stop.stop_requested()) {
+        while (wake_.wait(lock, stop, [this] { return job_ || order_ || polarisation_ || loop_due_; }),
+               !stop.stop_requested()) {
             if (!job_ && loop_due_) {
                 do_loop(trace, lock);
                 lock.unlock();
@@ -145,11 +166,14 @@ void Painter::work(const std::stop_token& stop) {
                 continue;
             }
             const auto job = std::exchange(job_, std::nullopt);
-            const auto order = job ? std::nullopt : std::exchange(order_, std::nullopt);
+            const auto numbers = job ? std::nullopt : std::exchange(polarisation_, std::nullopt);
+            const auto order = job || numbers ? std::nullopt : std::exchange(order_, std::nullopt);
             at_work_ = true;
             lock.unlock();
             if (job)
                 do_job(frame_renderer, *job);
+            else if (numbers)
+                do_polarisation(frame_renderer, *numbers);
             else
                 do_measure(frame_renderer, *order);
             lock.lock();

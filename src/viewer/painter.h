@@ -18,6 +18,7 @@
 
 #include "viewer/frame_renderer.h"
 #include "viewer/loop_trace.h"
+#include "viewer/polarisation_numbers.h"
 #include "viewer/window.h"
 
 namespace nullscope::viewer {
@@ -43,6 +44,11 @@ public:
     void measure(const Scene& scene, const Method& method);
     std::optional<EffectTimes> take_times();  // if there is more than at the last call
 
+    // Between jobs; a job that comes meanwhile waits for it, some 100 ms with llvmpipe, and the first compiles.
+    void measure_polarisation(const Scene& scene, const Method& method);
+    // If it is done; nothing within: the scene could not be prepared.
+    std::optional<std::optional<PolarisationNumbers>> take_polarisation();
+
     // Follows an orbit's light between jobs, from the first point; nothing: no more of it.
     void trace_loop(std::optional<LoopOrder> order);
     std::optional<StokesLoop> take_loop();  // its points, if there are more than at the last call
@@ -56,6 +62,7 @@ private:
     void work(const std::stop_token& stop);
     void do_job(FrameRenderer& frame_renderer, const PaintJob& job);
     void do_measure(FrameRenderer& frame_renderer, const PaintJob& order);
+    void do_polarisation(FrameRenderer& frame_renderer, const PaintJob& order);
     void do_loop(LoopTrace& trace, std::unique_lock<std::mutex>& lock);
     void publish(Painting painting, bool last);
     DrawWatch watch(bool whole_job);
@@ -68,14 +75,16 @@ private:
     std::function<void()> news_;
     mutable std::mutex mutex_;
     std::condition_variable_any wake_;
-    std::optional<PaintJob> job_, order_;  // order: of the effects' times, for this scene and method
+    std::optional<PaintJob> job_, order_;   // order: of the effects' times, for this scene and method
+    std::optional<PaintJob> polarisation_;  // likewise, of these numbers
     std::optional<Painting> painting_;
     std::array<unsigned, 2> shown_{};  // textures of the painting that was taken last
     bool last_ = false;                // painting_ is its job's last
     bool busy_ = false, at_work_ = false, gives_up_ = false;
     PaintProgress progress_;
-    std::optional<EffectTimes> times_;            // that were not taken yet
-    bool loop_asked_ = false, loop_due_ = false;  // loop_order_ is new; there are points left
+    std::optional<EffectTimes> times_;                           // that were not taken yet
+    std::optional<std::optional<PolarisationNumbers>> numbers_;  // likewise
+    bool loop_asked_ = false, loop_due_ = false;                 // loop_order_ is new; there are points left
     std::optional<LoopOrder> loop_order_;
     std::optional<StokesLoop> loop_;  // that was not taken yet
     std::exception_ptr failure_;

@@ -7,6 +7,7 @@
 #include "studio/view_state.h"
 #include "viewer/frame_accuracy.h"
 #include "viewer/painter.h"
+#include "viewer/polarisation_numbers.h"
 
 namespace nullscope::viewer {
 
@@ -24,7 +25,6 @@ bool lens_section(ViewState& view);
 bool disc_section(ViewState& view);
 bool sky_section(ViewState& view, bool escape);
 bool light_section(ViewState& view, bool escape);
-bool numbers_section(ViewState& view);  // shows, and changes nothing
 bool spacetime_section(ViewState& view, bool escape);
 // The metric and its parameters; id: of the list of metrics.
 bool spacetime_rows(SpacetimeSpec& spec, const char* label, const char* id, bool escape);
@@ -44,6 +44,8 @@ struct FrameFacts {
     const MethodChoice& choice;
     AccuracyFacts accuracy;
     const EffectTimes& times;  // of the painting
+    const PolarisationNumbers*
+        polarisation;  // of it, or while they are measured of one before; nullptr: there are none
 };
 
 // What each method errs and costs, which is chosen and why, and what this frame truly errs. True: another wish for a method.
@@ -52,6 +54,9 @@ bool accuracy_section(ViewState& view, const FrameFacts& facts, bool escape);
 // Error against cost of every measured method, for the frame on the screen. Takes its place in the window's column; a
 // point under the pointer says its name and its numbers.
 void draw_frontier_plot(const ViewState& view, const FrameFacts& facts);
+
+// Of the spacetime, the camera and the picture's polarisation; changes nothing.
+bool numbers_section(ViewState& view, const FrameFacts& facts);
 
 // What the scene calls for and why, what each effect costs in this frame, and a switch for each.
 bool effects_section(ViewState& view, const FrameFacts& facts);

@@ -52,7 +52,7 @@ void draw_side_panel(PanelPlace& place) {
         view.show_effects = part("Effects", kShut, [&] { return effects_section(view, facts); });
         part("Free fall", kShut, [&] { return fall_section(view); });
         part("Clock", kShut, [&] { return clock_section(view); });
-        part("Numbers", kShut, [&] { return numbers_section(view); });
+        view.show_numbers = part("Numbers", kShut, [&] { return numbers_section(view, facts); });
     }
     ImGui::End();
 }

@@ -138,6 +138,7 @@ bool Viewer::step() {
     if (input.moved || input.happened || changed || moving_ || news) probe(input);
     follow_changes(changed);
     measure_effects(!moving_ && !changed);
+    measure_polarisation(!moving_ && !changed);
     follow_loop();
     // In one context the window's first frame would wait for the first picture.
     if (painter_->in_background() || patient() || pace_.drawn_at() > 0.0) ask();
@@ -220,7 +221,8 @@ FrameFacts Viewer::frame_facts() const {
             methods_.not_measured,
             shown_.choice,
             cover_.accuracy->facts(),
-            effects_.times()};
+            effects_.times(),
+            polarisation_.numbers()};
 }
 
 // What they ask for.

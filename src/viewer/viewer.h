@@ -22,6 +22,7 @@
 #include "viewer/panel_system.h"
 #include "viewer/panels.h"
 #include "viewer/picture_cover.h"
+#include "viewer/polarisation_numbers.h"
 #include "viewer/scene_files.h"
 #include "viewer/shown_picture.h"
 #include "viewer/viewer_logs.h"
@@ -72,6 +73,7 @@ private:
     void show_frame(Painting painting);
     void refuse(const Painting& painting);
     void measure_effects(bool still);
+    void measure_polarisation(bool still);
     void follow_loop();  // of Q and U, for its panel
     void probe(const Input& input);
     void log_rest();
@@ -140,6 +142,7 @@ private:
     std::optional<Error> refusal_;  // of the first scene: there is nothing to show
     MethodTable methods_;
     EffectWatch effects_;
+    PolarisationWatch polarisation_;
     Adaptation adaptation_;
     PictureRate rate_;
     Pace pace_;

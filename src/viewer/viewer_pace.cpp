@@ -21,7 +21,8 @@ void Viewer::log_rest() {
     window_->framebuffer();  // an answer of the display's server: it has shown what it was sent before
     if (const Status written = logs_.layout.rest(logs_.last_key); !written) say(written.error().message());
     const bool loop_due = is_open(view_, kLoopPanel) && panels_.loop.waits();
-    logs_.turns.rest(logs_.last_key, cover_.accuracy->at_work() || cover_.orders_at_work() || times_due || loop_due);
+    logs_.turns.rest(logs_.last_key, cover_.accuracy->at_work() || cover_.orders_at_work() || times_due || loop_due ||
+                                         polarisation_.waits());
 }
 
 bool Viewer::in_motion() const {
@@ -55,6 +56,16 @@ void Viewer::measure_effects(bool still) {
     const bool wanted = docked(view_) && view_.show_effects;
     if (wanted && still && !due_.picture && !painter_->busy() && effects_.asks(seconds()))
         painter_->measure(shown_.scene(), shown_.painting.job.method);
+}
+
+void Viewer::measure_polarisation(bool still) {
+    if (auto numbers = painter_->take_polarisation()) {
+        polarisation_.take(std::move(*numbers));
+        pace_.want(kNewsFrames);
+    }
+    if (!shown_.is_there() || !has_polarisation_numbers(shown_.scene())) return polarisation_.forget();
+    if (docked(view_) && view_.show_numbers && still && settled() && polarisation_.asks(shown_.number))
+        painter_->measure_polarisation(shown_.scene(), shown_.painting.job.method);
 }
 
 void Viewer::follow_loop() {

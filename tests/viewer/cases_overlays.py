@@ -369,6 +369,31 @@ def test_z_and_the_wheel_zoom_into_the_photon_ring(screen, program, folder):
         assert zoomed(5, 3) == "", "a zoom begins by going back"
 
 
+def test_the_numbers_of_polarised_light_are_those_of_capture(screen, program, folder):
+    """Of a small picture of its own, and of what the view turns to."""
+    scene = shipped("m87-polarimetry").replace("outer = 15.0", "outer = 15.0\nfrequency = [228, 230]")
+    percent = r"(-?[\d.e+-]+) %?"
+    with Viewer(screen, program, "--size", "640x400", "--coarse", "2", "--layout", "layout.txt", scene=scene) as v:
+        shut_sections(v)
+
+        def measured():
+            v.settle("mousemove", 150, 300, *["click", 5] * 20, measured=True)
+            value = lambda name: min((x, words) for (x, y), words in ((at, w) for w, at in v.layout().words().items())
+                                     if abs(y - v.layout().place(name, "##side")[1]) < 9 and x > 100)[1]
+            return [float(re.match(percent, value(name))[1]) for name in ("Net linear", "Resolved", "beta_2", "Net circular", "RM")]
+        v.click(*v.layout().place("Numbers", "##side"))
+        shown = measured()
+        (folder / "bands.toml").write_text(scene)
+        said = subprocess.run([Path(program).parent / "nullscope", "capture", folder / "bands.toml", "--size", "320x200", "-o",
+                               folder / "bands.exr"], capture_output=True, text=True, check=True).stdout
+        expected = [float(re.search(pattern + percent, said)[1])
+                    for pattern in ("polarised ", "net, ", "beta_2 ", "circular ", "GHz ")]
+        for one, other, bound in zip(shown, expected, (0.1, 0.2, 0.002, 0.1, 0.02 * abs(expected[4]))):
+            assert abs(one - other) <= bound, f"{shown}, capture: {expected}"
+        v.settle("mousemove", 500, 300, "mousedown", 1, "mousemove", 520, 360, "mouseup", 1)
+        assert measured() != shown, "the numbers stay where the view has turned"
+
+
 def test_the_ring_of_a_rotating_hole_can_be_zoomed_into(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--coarse", "4", "--layout", "layout.txt", scene="kerr") as v:
         plain = v.picture()
@@ -383,6 +408,7 @@ CASES = []
 if EVERYTHING:
     CASES += [test_both_sides_of_a_comparison_have_image_orders, test_lengths_of_the_panels_are_in_the_chosen_unit,
               test_z_and_the_wheel_zoom_into_the_photon_ring, test_the_ring_of_a_rotating_hole_can_be_zoomed_into,
+              test_the_numbers_of_polarised_light_are_those_of_capture,
               test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
               test_the_embedding_diagram_is_drawn, test_framing_guides_lie_over_the_picture,
               test_the_histogram_says_what_the_saved_picture_has, test_the_loop_of_a_hot_spot_is_drawn_behind_its_picture,
