@@ -107,7 +107,7 @@ CLI::Option* add_to(CLI::App& app, const Option& option) {
     const auto take = [](const CLI::results_t&) { return true; };
     CLI::Option* added = app.add_option(option.names, take, help);
     added->type_name(option_value(option))->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    if (is_list(option) && option.values == 1)
+    if (is_list(option) && option.values == 1 && !option.one_each)
         added->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args();
     else
         added->expected(option.values);

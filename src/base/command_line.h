@@ -26,6 +26,7 @@ struct Option {
     std::optional<std::pair<double, double>> range;  // of numbers; both ends are allowed
     int values = 1;                                  // of a list of fixed length; a list without one takes 1 or more
     std::string other;                               // the option that this one is part of
+    bool one_each = false;                           // a list whose option is given once for each value
 
     Option& required() {
         is_required = true;
@@ -45,6 +46,10 @@ struct Option {
     }
     Option& count(int exactly) {
         values = exactly;
+        return *this;
+    }
+    Option& repeated() {
+        one_each = true;
         return *this;
     }
     Option& needs(std::string name) {

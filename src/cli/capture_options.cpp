@@ -62,6 +62,7 @@ void add_capture_options(Command& command, CaptureOptions& options) {
                             "of the same scene and options; NAME-%s.png writes the six faces of a cube",
                             format_endings(), film_endings()));
     command.add_option("ffmpeg", &options.ffmpeg, "After --: options of ffmpeg for a film, as in -- -crf 12");
+    set_option(command, options.set);
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     command.add_option(
         "--split,--beside", &options.split,

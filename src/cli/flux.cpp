@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
@@ -27,6 +28,7 @@ namespace {
 constexpr double kLeastFlux = 1e-12, kMostFlux = 1e12;  // Jy
 
 struct FluxOptions {
+    std::vector<std::string> set;  // scenefile/scene_override.h
     std::string scene, output, size, context = "auto", renderer = "gl";
     std::optional<double> target;  // Jy
     std::optional<int> samples;    // reference alone
@@ -155,7 +157,7 @@ Status check(const FluxOptions& options, const Scene& scene) {
 }
 
 Status run_flux(const FluxOptions& options) {
-    TRY(scene, load_scene_sized(options.scene, options.size));
+    TRY(scene, asked_scene(options));
     TRY(good, check(options, *scene));
     std::optional<Session> session;
     if (options.renderer == "gl") {
@@ -184,6 +186,7 @@ void add_flux(Command& parent) {
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene, whose only light is matter's at one frequency, about "
                     "an object of known mass and distance");
+    set_option(command, options.set);
     number_option(command, "--target", options.target, kLeastFlux, kMostFlux,
                   "Flux density to reach, Jy, by medium.density_scale (of a simulation's dump: its unit of mass)");
     number_option(command, "--tolerance", options.tolerance, 1e-6, 0.1,

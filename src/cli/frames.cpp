@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "cli/capture.h"
+#include "cli/capture_words.h"
 #include "cli/frame_store.h"
 #include "command/arguments.h"
 #include "observer/path.h"
@@ -16,8 +17,6 @@
 namespace nullscope::cli {
 namespace {
 
-using Words = std::vector<std::string>;
-
 struct FramesOptions {
     std::string scene, output = "frame%05d.png", range;
     Words more;  // capture's options; without a range the first of them is in its place
@@ -25,37 +24,11 @@ struct FramesOptions {
     bool commands = false;
 };
 
-// As a POSIX shell reads it back.
-std::string shell_word(const std::string& word) {
-    constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
-}
-
 Words capture_words(const FramesOptions& options, const Frames& frames, const Words& more) {
     Words words{"nullscope", "capture", options.scene, "--frames", fmt::format("{}:{}", frames.first, frames.end),
                 "--resume",  "-o",      options.output};
     words.insert(words.end(), more.begin(), more.end());
     return words;
-}
-
-// By capture itself. Returns the stamp of such a sequence.
-Result<std::string> checked(const Words& words) {
-    Command program("nullscope", "");
-    std::string stamp;
-    add_capture_to(program, [&](const CaptureOptions& options) -> Status {
-        TRY(text, sequence_stamp(options));
-        stamp = std::move(*text);
-        return Done{};
-    });
-    std::vector<const char*> argv;
-    for (const std::string& word : words) argv.push_back(word.c_str());
-    TRY(asked, parse_command_line(program, static_cast<int>(argv.size()), argv.data()));
-    if (!asked->run) return bad_input("after --: options of capture that draw");
-    TRY(ran, asked->run());
-    return stamp;
 }
 
 // "0:10 15:18"; numbers: ascending.
@@ -84,10 +57,9 @@ Status run_frames(const FramesOptions& options) {
     TRY(frames, parse_frames(range));
     if (!scene->path) more.insert(more.end(), {"--time-frame", fmt::format("{}", frames->first)});  // of all chunks
     const Words all = capture_words(options, *frames, more);
-    if (std::ranges::any_of(all,
-                            [](const std::string& word) { return word.find_first_of("\n\r") != std::string::npos; }))
-        return bad_input("a line break in an argument: each command is one line");
-    TRY(stamp, checked(all));
+    TRY(line, shell_line(all));
+    TRY(capture, capture_options_of(all));
+    TRY(stamp, sequence_stamp(*capture));
     const int count = frames->end - frames->first;
     if (!options.commands) {
         TRY(names, FrameNames::parse(options.output));
@@ -104,11 +76,9 @@ Status run_frames(const FramesOptions& options) {
         return Done{};
     }
     for (int first = frames->first; first < frames->end; first += std::min(options.chunk, frames->end - first)) {
-        std::string line;
-        for (const std::string& word :
-             capture_words(options, {first, first + std::min(options.chunk, frames->end - first)}, more))
-            line += (line.empty() ? "" : " ") + shell_word(word);
-        fmt::print("{}\n", line);
+        TRY(chunk,
+            shell_line(capture_words(options, {first, first + std::min(options.chunk, frames->end - first)}, more)));
+        fmt::print("{}\n", *chunk);
     }
     return Done{};
 }

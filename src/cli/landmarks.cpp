@@ -16,6 +16,7 @@ namespace nullscope::cli {
 namespace {
 
 struct LandmarksOptions {
+    std::vector<std::string> set;  // scenefile/scene_override.h
     std::string scene;
     bool json = false;
 };
@@ -54,7 +55,7 @@ std::vector<NamedNumber> numbers_of(const Spacetime& spacetime, const CameraSpec
 }
 
 Result<int> run_landmarks(const LandmarksOptions& options) {
-    TRY(scene, load_scene(options.scene));
+    TRY(scene, asked_scene(options));
     TRY(spacetime, make_spacetime(scene->spacetime.metric, scene->spacetime.parameters));
     Json json{{"scene", scene->name}, {"metric", scene->spacetime.metric}};
     for (const NamedNumber& number : numbers_of(**spacetime, scene->camera)) {
@@ -74,6 +75,7 @@ void add_landmarks(Command& parent) {
                                                             run_landmarks);
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");
+    set_option(command, options.set);
     command.add_flag("--json", &options.json, "Print one JSON object; null: there is none");
 }
 

@@ -30,6 +30,7 @@ namespace nullscope::cli {
 namespace {
 
 struct LightcurveOptions {
+    std::vector<std::string> set;  // scenefile/scene_override.h
     std::string scene, output = "lightcurve", size, context = "auto", renderer = "gl";
     std::vector<int> region;  // x, y of the first pixel, x, y behind the last
     std::optional<double> from, to;
@@ -192,7 +193,7 @@ Result<std::array<int, 4>> region_of(const LightcurveOptions& options, const Cam
 }
 
 Result<int> run_lightcurve(const LightcurveOptions& options) {
-    TRY(scene, load_scene_sized(options.scene, options.size));
+    TRY(scene, asked_scene(options));
     if (!changes_with_time(*scene))
         return bad_input(
             fmt::format("{}: nothing in it changes with time", options.scene),
@@ -238,6 +239,7 @@ void add_lightcurve(Command& parent) {
     options.given.of(command);
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene, in which something changes with time");
+    set_option(command, options.set);
     text_option(command, "-o,--output", options.output, "Name of the files to write, without .csv and .svg");
     number_option(command, "--from", options.from, -1e9, 1e9, "First time, r_s/c (default: the scene's)");
     number_option(

@@ -15,12 +15,13 @@ namespace nullscope::cli {
 namespace {
 
 struct PathOptions {
+    std::vector<std::string> set;  // scenefile/scene_override.h
     std::string scene, range, output = "path.csv";
     bool cartesian = false;
 };
 
 Status run_path(const PathOptions& options) {
-    TRY(scene, load_scene(options.scene));
+    TRY(scene, asked_scene(options));
     TRY(path, CameraPath::make(*scene));
     TRY(frames, parse_frames(options.range.empty() ? fmt::format("0:{}", path->frames()) : options.range));
     const int count = frames->end - frames->first;
@@ -46,6 +47,7 @@ void add_path(Command& parent) {
         parent, "path", "Write the camera of every frame of a [path] as a table (CSV), which path.file reads",
         run_path);
     required_option(command, "scene", options.scene, "Scene file, or the name of a built-in scene, with a [path]");
+    set_option(command, options.set);
     command.add_option("frames", &options.range, "A:B, frames A to B-1 (default: all)");
     text_option(command, "-o,--output", options.output, "File to write");
     command.add_flag("--cartesian", &options.cartesian, "Write positions as x, y, z instead of r, theta, phi");

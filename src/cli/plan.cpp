@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "bench/bench.h"
 #include "cli/command.h"
@@ -15,6 +17,7 @@ namespace nullscope::cli {
 namespace {
 
 struct PlanOptions {
+    std::vector<std::string> set;  // scenefile/scene_override.h
     std::string scene;
     bool json = false, measure = false;
     int frames = 9;
@@ -141,7 +144,7 @@ Json json_of(const Plan& plan) {
 }
 
 Result<int> run_plan(const PlanOptions& options) {
-    TRY(scene, load_scene(options.scene));
+    TRY(scene, asked_scene(options));
     TRY(plan, make_plan(*scene));
     if (options.measure) {
         TRY(costs, effect_costs(*scene, "auto", options.frames));
@@ -162,6 +165,7 @@ void add_plan(Command& parent) {
         run_plan);
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");
+    set_option(command, options.set);
     command.add_flag("--json", &options.json, "Print one JSON object");
     command.add_flag("--measure", &options.measure,
                      "Draw the scene with and without each effect, and show what the effect costs");

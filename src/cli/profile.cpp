@@ -32,6 +32,7 @@ namespace nullscope::cli {
 namespace {
 
 struct ProfileOptions {
+    std::vector<std::string> set;  // scenefile/scene_override.h
     std::string scene, output = "profile", size, through, context = "auto", renderer = "gl";
     double angle = 0;
     std::optional<double> time;
@@ -214,7 +215,7 @@ std::string profile_svg(const Scene& scene, const std::vector<Point>& points, co
 
 // Of a [path] its first frame, as capture's.
 Result<Scene> profile_scene(const ProfileOptions& options) {
-    TRY(scene, load_scene_sized(options.scene, options.size));
+    TRY(scene, asked_scene(options));
     if (options.time) scene->time = *options.time;
     if (!scene->path) return scene;
     TRY(path, CameraPath::make(*scene));
@@ -257,6 +258,7 @@ void add_profile(Command& parent) {
     const KeyRange times = key_range("time");
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes)");
+    set_option(command, options.set);
     text_option(command, "-o,--output", options.output, "Name of the files to write, without .csv and .svg");
     number_option(command, "--angle", options.angle, -360, 360,
                   "Direction of the line, degrees: 0 to the right, 90 upward");

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "base/progress.h"
@@ -16,11 +18,12 @@ namespace nullscope::cli {
 namespace {
 
 struct Options : TraceOptions {
+    std::vector<std::string> set;  // scenefile/scene_override.h
     std::string scene, rays, output;
 };
 
 Status run(const Options& options) {
-    TRY(scene, load_scene(options.scene));
+    TRY(scene, asked_scene(options));
     TRY(spacetime, make_spacetime(scene->spacetime.metric, scene->spacetime.parameters));
     TRY(table, read_rays(options.rays, **spacetime));
     RayRecords records(table->rows.size());
@@ -51,6 +54,7 @@ void add_trace(Command& parent) {
         add_command<Options>(parent, "trace", "Trace a list of rays: CSV in, CSV out (columns: docs/ray-data.md)", run);
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene; its metric and disc are used, its camera is not");
+    set_option(command, options.set);
     required_option(command, "--rays", options.rays,
                     "CSV with the columns r,theta,phi,n_r,n_theta,n_phi[,frame], or alpha,beta,theta[,phi] of an "
                     "observer at infinity, or "

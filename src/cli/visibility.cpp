@@ -34,7 +34,7 @@ bool is_several(const Scene& scene) { return scene.split || scene.camera.stereo 
 
 // Of a [path] its first frame, as capture's.
 Result<Shot> visibility_shot(const VisibilityOptions& options) {
-    TRY(scene, load_scene_sized(options.scene, options.size));
+    TRY(scene, asked_scene(options));
     Shot shot{std::move(*scene)};
     if (options.time) shot.scene.time = *options.time;
     if (options.samples && options.renderer == "gl") shot.scene.picture.samples = *options.samples;
@@ -248,6 +248,7 @@ void add_visibility(Command& parent) {
     const KeyRange times = key_range("time");
     command.add_option("scene", &options.scene,
                        "Scene file, or the name of a built-in scene, of an object with mass and distance");
+    set_option(command, options.set);
     command.add_option("--image", &options.image, "Instead of a scene: a FITS picture of the sky");
     text_option(command, "-o,--output", options.output, "Name of the files to write, without .csv and .svg");
     command.add_option("--baselines", &options.baselines,

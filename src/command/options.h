@@ -8,7 +8,9 @@
 
 #include "base/command_line.h"
 #include "base/result.h"
+#include "command/arguments.h"
 #include "scenefile/key_place.h"
+#include "scenefile/scene_file.h"
 
 namespace nullscope::cli {
 
@@ -44,6 +46,24 @@ Option& number_option(Command& command, const char* names, Number& target, doubl
 inline void text_option(Command& command, const char* names, std::string& target, std::string help,
                         std::vector<std::string> words = {}) {
     command.add_option(names, &target, std::move(help)).one_of(std::move(words)).show_default();
+}
+
+// Values in the place of the scene's (scenefile/scene_override.h).
+inline void set_option(Command& command, std::vector<std::string>& set) {
+    command
+        .add_option("--set", &set,
+                    "KEY=VALUE, in the place of the scene's value: --set camera.theta=30 --set 'ball[2].radius=3'; "
+                    "once for each key")
+        .repeated();
+}
+
+// The scene that a command was given, in its --size where it has one, with the values of its --set. Errors: those of load_scene, parse_size.
+template <class Options>
+Result<Scene> asked_scene(const Options& options) {
+    TRY(overrides, parse_overrides(options.set));
+    TRY(scene, load_scene(options.scene, note_on_terminal, *overrides));
+    if constexpr (requires { options.size.size(); }) return sized(std::move(*scene), options.size);
+    return std::move(*scene);
 }
 
 // --context of what draws; help says what for.

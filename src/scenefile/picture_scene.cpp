@@ -128,21 +128,21 @@ Result<std::map<std::string, std::string>> displayed_picture_words(const Picture
 SceneFolders picture_folders(const fs::path& file) { return {file.parent_path(), {}, assets_directory() / "scenes"}; }
 
 Result<Scene> scene_of_words(const std::map<std::string, std::string>& words, const std::string& keyword,
-                             const std::string& file, const Note& note) {
+                             const std::string& file, const Note& note, const SceneOverrides& overrides) {
     const auto text = words.find(keyword);
     if (text == words.end())
         return bad_input(
             without_controls(fmt::format("{}: this picture holds no scene; pictures drawn by nullscope hold it as {}",
                                          in_quotes(file), kSceneWord)));
     const SceneFolders folders = picture_folders(file);
-    TRY(scene, parse_scene_in(folders, text->second, file));
+    TRY(scene, parse_scene_in(folders, text->second, file, overrides));
     say_other_files(words, *scene, written_scene(*scene, folders), file, note);
     return scene;
 }
 
-Result<OpenedScene> open_picture(const std::string& file, const Note& note) {
+Result<OpenedScene> open_picture(const std::string& file, const Note& note, const SceneOverrides& overrides) {
     TRY(words, load_texts(file));
-    TRY(scene, scene_of_words(*words, kSceneWord, file, note));
+    TRY(scene, scene_of_words(*words, kSceneWord, file, note, overrides));
     return OpenedScene{std::move(*scene), picture_folders(file), std::move(*words)};
 }
 

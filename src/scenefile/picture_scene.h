@@ -34,11 +34,11 @@ Result<std::map<std::string, std::string>> displayed_picture_words(const Picture
 // The scene of a picture's words under that keyword. file: the picture. Files are looked for beside the picture, in the current folder, and beside the scenes
 // that ship; one whose hash is not the one in the words is said to note. Errors (bad input): the picture holds no scene, those of parse_scene.
 Result<Scene> scene_of_words(const std::map<std::string, std::string>& words, const std::string& keyword,
-                             const std::string& file, const Note& note);
+                             const std::string& file, const Note& note, const SceneOverrides& overrides = {});
 SceneFolders picture_folders(const std::filesystem::path& file);
 
 // The scene of a picture. Errors: those of scene_of_words and load_texts (image/picture_texts.h).
-Result<OpenedScene> open_picture(const std::string& file, const Note& note);
+Result<OpenedScene> open_picture(const std::string& file, const Note& note, const SceneOverrides& overrides = {});
 
 inline constexpr const char* kSceneWord = "nullscope.scene_text";
 inline constexpr const char* kSplitWord = "nullscope.split_text";

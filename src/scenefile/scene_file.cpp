@@ -10,6 +10,7 @@
 #include "base/atomic_file.h"
 #include "base/text.h"
 #include "scene/bodies.h"
+#include "scenefile/override_table.h"
 #include "scenefile/path_csv.h"
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_keys.h"
@@ -325,9 +326,12 @@ Result<Scene> SceneReader::read(const toml::table& root) {
 
 }  // namespace
 
-Result<Scene> parse_scene_in(const SceneFolders& folders, std::string_view toml_text, const std::string& file_label) {
+Result<Scene> parse_scene_in(const SceneFolders& folders, std::string_view toml_text, const std::string& file_label,
+                             const SceneOverrides& overrides) {
     TRY(root, toml_of(toml_text, file_label));
-    return SceneReader(file_label, folders).read(*root);
+    TRY(replaced, override_values(*root, overrides));
+    auto scene = SceneReader(file_label, folders).read(*root);
+    return scene ? scene : where_overridden(scene.error(), overrides);
 }
 
 Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_label, const fs::path& base_directory) {

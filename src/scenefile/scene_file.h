@@ -14,6 +14,7 @@
 #include "base/result.h"
 #include "scene/scene.h"
 #include "scenefile/scene_folders.h"
+#include "scenefile/scene_override.h"
 
 namespace nullscope {
 
@@ -32,8 +33,11 @@ struct OpenedScene {
     std::map<std::string, std::string> words{};  // of a picture: all that it says of itself
 };
 std::filesystem::path scene_path(const std::string& file_or_name);
-Result<OpenedScene> open_scene(const std::string& file_or_name, const Note& note = note_on_terminal);
-Result<Scene> load_scene(const std::string& file_or_name, const Note& note = note_on_terminal);
+// overrides: values in the place of the file's; files in them are looked for where the scene's are.
+Result<OpenedScene> open_scene(const std::string& file_or_name, const Note& note = note_on_terminal,
+                               const SceneOverrides& overrides = {});
+Result<Scene> load_scene(const std::string& file_or_name, const Note& note = note_on_terminal,
+                         const SceneOverrides& overrides = {});
 // What the paths of that scene are relative to, whatever is in the file: its folder, else that of the scenes that ship, so that the text of one
 // holds anywhere.
 SceneFolders scene_folders(const std::string& file_or_name);
@@ -42,7 +46,8 @@ SceneFolders scene_folders(const std::string& file_or_name);
 // relative image paths are relative to; image files must exist but are not opened.
 Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_label,
                           const std::filesystem::path& base_directory);
-Result<Scene> parse_scene_in(const SceneFolders& folders, std::string_view toml_text, const std::string& file_label);
+Result<Scene> parse_scene_in(const SceneFolders& folders, std::string_view toml_text, const std::string& file_label,
+                             const SceneOverrides& overrides = {});
 
 // Of scene_line()'s text (scenefile/scene_writer.h); what follows the line is left out. is_scene_line: whether it begins like one.
 bool is_scene_line(std::string_view text);

@@ -70,7 +70,7 @@ SceneFolders scene_folders(const std::string& file_or_name) {
     return {scene_path(file_or_name).parent_path(), scenes_directory()};
 }
 
-Result<OpenedScene> open_scene(const std::string& file_or_name, const Note& note) {
+Result<OpenedScene> open_scene(const std::string& file_or_name, const Note& note, const SceneOverrides& overrides) {
     std::error_code error;
     const fs::path path = scene_path(file_or_name);
     const fs::file_status status = fs::status(path, error);
@@ -79,16 +79,16 @@ Result<OpenedScene> open_scene(const std::string& file_or_name, const Note& note
         const char* what = fs::is_directory(status) ? "a folder" : "not a regular file";
         return bad_input(without_controls(fmt::format("{}: {}, not a scene file", in_quotes(file_or_name), what)));
     }
-    if (is_picture_file(path)) return open_picture(path.string(), note);
+    if (is_picture_file(path)) return open_picture(path.string(), note, overrides);
     const Result<std::string> text = read_text(path, kLargestSceneFile);
     if (!text) return bad_input(without_controls(text.error().message()));
     SceneFolders folders = scene_folders(file_or_name);
-    TRY(scene, parse_scene_in(folders, *text, path.string()));
+    TRY(scene, parse_scene_in(folders, *text, path.string(), overrides));
     return OpenedScene{std::move(*scene), std::move(folders)};
 }
 
-Result<Scene> load_scene(const std::string& file_or_name, const Note& note) {
-    TRY(opened, open_scene(file_or_name, note));
+Result<Scene> load_scene(const std::string& file_or_name, const Note& note, const SceneOverrides& overrides) {
+    TRY(opened, open_scene(file_or_name, note, overrides));
     return std::move(opened->scene);
 }
 
