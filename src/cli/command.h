@@ -22,14 +22,15 @@ void add_lightcurve(Command& parent);
 void add_light_time(Command& parent);
 void add_profile(Command& parent);
 void add_spectrum(Command& parent);
+void add_study(Command& parent);
 void add_visibility(Command& parent);
 void add_landmarks(Command& parent);
 
 // In the order of nullscope --help.
 inline constexpr void (*kCommands[])(Command&) = {
-    add_capture,    add_frames,  add_path,     add_trace,      add_compare,   add_bench,
-    add_plan,       add_scenes,  add_info,     add_figure,     add_flux,      add_lightcurve,
-    add_light_time, add_profile, add_spectrum, add_visibility, add_landmarks, add_manual};
+    add_capture, add_frames,   add_study,      add_path,      add_trace, add_compare,    add_bench,
+    add_plan,    add_scenes,   add_info,       add_figure,    add_flux,  add_lightcurve, add_light_time,
+    add_profile, add_spectrum, add_visibility, add_landmarks, add_manual};
 
 // One line on standard error; the exit status that goes with it (1 or 2).
 int report(const Error& error);

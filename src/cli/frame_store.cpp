@@ -124,9 +124,9 @@ Result<std::unique_ptr<FrameStore>> FrameStore::open_film(const std::string& fol
 Status FrameStore::check_no_picture(const std::string& before, const std::string& stamp) const {
     const std::size_t there = names_.on_disk().size();
     if (there == 0) return Done{};
-    return bad_input(
-        fmt::format("--resume: {} pictures of {} do not match: {}; start over without --resume, or choose another -o",
-                    there, names_.pattern(), stamp_difference(before, stamp)));
+    return bad_input(fmt::format("{} pictures of {} are there that do not match: {}", there, names_.pattern(),
+                                 stamp_difference(before, stamp)),
+                     "another -o, or to start over: without --resume, or with these removed");
 }
 
 // To resume, a run holds the exclusive lock only while it writes the stamp: others that begin at the same time wait.
