@@ -30,6 +30,43 @@ std::string format_help() {
     return help;
 }
 
+// What files have in them.
+void add_file_options(Command& command, CaptureOptions& options) {
+    number_option(command, "--quality", options.quality, 1, 100,
+                  fmt::format("Quality of a .jpg: lower means smaller files (default {})", kJpegQuality));
+    command
+        .add_option(
+            "--bits", &options.bits,
+            "Bits of each colour of a .png: 8 (the default) or 16; of a film: 8 (the default) or 10; a .tif has 16")
+        .one_of({"8", "10", "16"});
+    command.add_flag(
+        "--plain", &options.plain,
+        fmt::format(
+            "No dividing line, labels, scale bar, ticks or streamlines over a displayed picture or film ({} have none)",
+            format_endings(" and ", [](const PictureFormat& f) { return f.sample == Sample::kLight; })));
+    command.add_flag("--quiet", &options.quiet,
+                     "No notes on standard error: unused parts of images, hints on smoother pictures");
+    command.add_flag(
+        "--half", &options.half,
+        "Write an EXR's colours as half floats: half the size, three digits, at most 65504; without --raydata and "
+        "--split");
+    text_option(command, "--colour", options.colour,
+                "Colours of an EXR: rec709, linear light; acescg, the same in ACEScg's primaries; display, what a .png "
+                "shows (exposure, tone curve, bloom, labels) before its sRGB encoding, for films by ffmpeg",
+                {"rec709", "acescg", "display"});
+    command.add_flag("--raydata", &options.raydata,
+                     "Also write where each pixel's ray ends, as channels of the EXR (docs/ray-data.md)");
+    command.add_flag("--layers", &options.layers,
+                     "Write layers for compositing as channels of the EXR: image orders of the disc, bodies, sky, "
+                     "coverage, ray data, ST maps, in sequences motion vectors (docs/layers.md)");
+    command
+        .add_option(
+            "--st-map", &options.st_map,
+            "Instead of colours write where each pixel looks: on a panorama of the sky, or on a flat plate that the "
+            "same camera would see if light travelled straight (docs/layers.md)")
+        .one_of({"sky", "plate"});
+}
+
 }  // namespace
 
 bool CaptureOptions::format_has(std::string_view option) const {
@@ -102,39 +139,7 @@ void add_capture_options(Command& command, CaptureOptions& options) {
     number_option(command, "--largest-texture", options.largest_texture, 16, 65536,
                   "Largest texture side in pixels: larger images are reduced while they are read (default: the "
                   "driver's limit)");
-    number_option(command, "--quality", options.quality, 1, 100,
-                  fmt::format("Quality of a .jpg: lower means smaller files (default {})", kJpegQuality));
-    command
-        .add_option(
-            "--bits", &options.bits,
-            "Bits of each colour of a .png: 8 (the default) or 16; of a film: 8 (the default) or 10; a .tif has 16")
-        .one_of({"8", "10", "16"});
-    command.add_flag(
-        "--plain", &options.plain,
-        fmt::format(
-            "No dividing line, labels, scale bar, ticks or streamlines over a displayed picture or film ({} have none)",
-            format_endings(" and ", [](const PictureFormat& f) { return f.sample == Sample::kLight; })));
-    command.add_flag("--quiet", &options.quiet,
-                     "No notes on standard error: unused parts of images, hints on smoother pictures");
-    command.add_flag(
-        "--half", &options.half,
-        "Write an EXR's colours as half floats: half the size, three digits, at most 65504; without --raydata and "
-        "--split");
-    text_option(command, "--colour", options.colour,
-                "Colours of an EXR: rec709, linear light; acescg, the same in ACEScg's primaries; display, what a .png "
-                "shows (exposure, tone curve, bloom, labels) before its sRGB encoding, for films by ffmpeg",
-                {"rec709", "acescg", "display"});
-    command.add_flag("--raydata", &options.raydata,
-                     "Also write where each pixel's ray ends, as channels of the EXR (docs/ray-data.md)");
-    command.add_flag("--layers", &options.layers,
-                     "Write layers for compositing as channels of the EXR: image orders of the disc, bodies, sky, "
-                     "coverage, ray data, ST maps, in sequences motion vectors (docs/layers.md)");
-    command
-        .add_option(
-            "--st-map", &options.st_map,
-            "Instead of colours write where each pixel looks: on a panorama of the sky, or on a flat plate that the "
-            "same camera would see if light travelled straight (docs/layers.md)")
-        .one_of({"sky", "plate"});
+    add_file_options(command, options);
     text_option(command, "--tiles", options.tiles,
                 "How the shader draws a disc: traced, only in tiles that show it (faster, equal up to rounding); "
                 "bodies, in the whole picture; auto: traced for films and large pictures",

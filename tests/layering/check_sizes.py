@@ -21,7 +21,6 @@ ROWS = "rows of a table"
 EXCEPTIONS = {
     "src/scenefile/scene_keys.cpp": (415, ROWS),
     "src/viewer/scene_editor.cpp": (440, "fields of the kinds of keys, and the panel of them"),
-    "src/cli/capture_options.cpp:add_capture_options": (90, ROWS),
     "src/plan/bodies_features.cpp:bodies_features": (70, ROWS),
     "src/plan/disc_features.cpp:disc_features": (130, ROWS),
     "src/plan/light_features.cpp:light_features": (190, ROWS),
