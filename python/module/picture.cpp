@@ -12,7 +12,6 @@
 #include "command/arguments.h"
 #include "command/band_pictures.h"
 #include "command/fits_header.h"
-#include "command/flux.h"
 #include "command/session.h"
 #include "command/shot.h"
 #include "command/stereo_capture.h"
@@ -28,6 +27,7 @@
 #include "scene/projection.h"
 #include "scenefile/photo_sphere.h"
 #include "scenefile/picture_scene.h"
+#include "telescope/flux.h"
 
 namespace nullscope::python {
 namespace {

@@ -11,7 +11,6 @@
 #include "cli/picture_file.h"
 #include "cli/recorded_options.h"
 #include "command/band_pictures.h"
-#include "command/flux.h"
 #include "command/stereo_capture.h"
 #include "compare/stokes_measures.h"
 #include "observer/path.h"
@@ -23,6 +22,7 @@
 #include "scene/split.h"
 #include "scene/stereo.h"
 #include "shaderlib/passes.h"
+#include "telescope/flux.h"
 #include "version/version.h"
 
 namespace nullscope::cli {

@@ -14,13 +14,13 @@
 #include "cli/command.h"
 #include "command/arguments.h"
 #include "command/capture_picture.h"
-#include "command/flux.h"
 #include "command/session.h"
 #include "command/sky_light.h"
 #include "plan/medium_model.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_writer.h"
+#include "telescope/flux.h"
 
 namespace nullscope::cli {
 namespace {

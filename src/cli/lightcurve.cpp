@@ -14,7 +14,6 @@
 #include "command/band_pictures.h"
 #include "command/capture_picture.h"
 #include "command/curve_plot.h"
-#include "command/flux.h"
 #include "command/loop_plot.h"
 #include "command/session.h"
 #include "compare/stokes_loop.h"
@@ -25,6 +24,7 @@
 #include "scene/medium_dumps.h"
 #include "scene/projection.h"
 #include "scene/spot_orbit.h"
+#include "telescope/flux.h"
 
 namespace nullscope::cli {
 namespace {

@@ -11,7 +11,6 @@
 
 #include "command/band_pictures.h"
 #include "command/fits_header.h"
-#include "command/flux.h"
 #include "command/sky_light.h"
 #include "compare/ray_channels.h"
 #include "compare/rotation_measure.h"
@@ -21,6 +20,7 @@
 #include "image/picture_formats.h"
 #include "render/picture_bands.h"
 #include "scene/medium_bands.h"
+#include "telescope/flux.h"
 #include "version/version.h"
 
 namespace nullscope::cli {

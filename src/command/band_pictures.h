@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/result.h"
-#include "command/flux.h"
 #include "image/band_picture.h"
 #include "image/image.h"
 #include "scene/exposure.h"
 #include "scene/scene.h"
+#include "telescope/flux.h"
 
 namespace nullscope::cli {
 
@@ -24,7 +24,7 @@ struct BandDrawing {
 Result<std::vector<BandPicture>> band_pictures(const Exposure& shown, const BandDrawing& draw,
                                                const Image<float>& drawn);
 
-// The unit of each band's light, where pictures have a flux (command/flux.h): channel 0 is BandPicture::light.
+// The unit of each band's light, where pictures have a flux (telescope/flux.h): channel 0 is BandPicture::light.
 std::vector<std::optional<FluxUnit>> band_units(const Scene& scene, bool several);
 
 // "1.2 Jy at 86 GHz, 0.5 Jy at 230 GHz", and of polarised light the rotation measure between each two

@@ -5,10 +5,10 @@
 
 #include "base/result.h"
 #include "command/capture_picture.h"
-#include "command/flux.h"
 #include "image/band_picture.h"
 #include "image/fits_input.h"
 #include "scene/known_object.h"
+#include "telescope/flux.h"
 #include "telescope/sky_picture.h"
 
 namespace nullscope::cli {

@@ -1,4 +1,4 @@
-#include "command/flux.h"
+#include "telescope/flux.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "scene/medium_bands.h"
 #include "spacetime/registry.h"
 
-namespace nullscope::cli {
+namespace nullscope {
 
 std::optional<double> pixel_on_sky(const Scene& scene) {
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
@@ -62,4 +62,4 @@ std::string flux_words(const Image<float>& linear, const FluxUnit& unit) {
                        unit.frequency_GHz);
 }
 
-}  // namespace nullscope::cli
+}  // namespace nullscope

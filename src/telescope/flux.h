@@ -7,7 +7,7 @@
 #include "image/image.h"
 #include "scene/scene.h"
 
-namespace nullscope::cli {
+namespace nullscope {
 
 struct FluxUnit {
     double jansky;  // of a pixel whose light in `channel` is 1
@@ -27,4 +27,4 @@ Image<float> in_jansky(const Image<float>& linear, const FluxUnit& unit);  // Jy
 double flux_of(const Image<float>& linear, const FluxUnit& unit, const std::array<int, 4>& part);
 std::string flux_words(const Image<float>& linear, const FluxUnit& unit);  // "0.4467 Jy at 230 GHz"
 
-}  // namespace nullscope::cli
+}  // namespace nullscope
