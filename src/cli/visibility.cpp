@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "command/sky_light.h"
 #include "observer/path.h"
 #include "scenefile/scene_keys.h"
+#include "telescope/first_minimum.h"
 #include "telescope/scattering.h"
 
 namespace nullscope::cli {
@@ -94,33 +94,15 @@ void add_noise(const VisibilityOptions& options, VisibilityRows& rows) {
             rows.found[i][plane] += rows.noise[i] * noise_at(seed, 4 * i + plane);
 }
 
-// Where |V| is least between two points around one that is less than both: by golden sections.
-Baseline least_between(const PictureVisibility& picture, Baseline from, Baseline to) {
-    constexpr double kGolden = 1 / std::numbers::phi;
-    constexpr int kSections = 60;  // to 3e-13 of the way
-    const auto at = [&](double x) { return Baseline{from.u + x * (to.u - from.u), from.v + x * (to.v - from.v)}; };
-    const auto light = [&](double x) { return std::abs(picture.at(at(x))[0]); };
-    double low = 0, high = 1, a = 1 - kGolden, b = kGolden, at_a = light(a), at_b = light(b);
-    for (int i = 0; i < kSections; ++i) {
-        if (at_a < at_b) {
-            high = b, b = a, at_b = at_a, a = high - kGolden * (high - low), at_a = light(a);
-        } else {
-            low = a, a = b, at_a = at_b, b = low + kGolden * (high - low), at_b = light(b);
-        }
-    }
-    return at(0.5 * (low + high));
-}
-
 // ", first minimum at 3.76 Gλ: 0.0012", of a line.
 std::string minimum_words(const PictureVisibility& picture, const VisibilityRows& rows) {
-    const auto light = [&](std::size_t i) { return std::abs(rows.found[i][0]); };
-    for (std::size_t i = 1; rows.is_line && i + 1 < rows.found.size(); ++i) {
-        if (!(light(i) < light(i - 1) && light(i) <= light(i + 1))) continue;
-        const Baseline least = least_between(picture, rows.baselines[i - 1], rows.baselines[i + 1]);
-        return fmt::format("; first minimum of |V| at {:.7g} Gλ: {:.3g}", 1e-9 * std::hypot(least.u, least.v),
-                           std::abs(picture.at(least)[0]));
-    }
-    return "";
+    if (!rows.is_line) return "";
+    std::vector<double> amplitudes;
+    for (const Visibility& found : rows.found) amplitudes.push_back(std::abs(found[0]));
+    const auto least = first_minimum(picture, rows.baselines, amplitudes);
+    if (!least) return "";
+    return fmt::format("; first minimum of |V| at {:.7g} Gλ: {:.3g}",
+                       1e-9 * std::hypot(least->baseline.u, least->baseline.v), least->amplitude);
 }
 
 double longest_glambda(const VisibilityRows& rows) {
