@@ -19,9 +19,10 @@ constexpr double kAtOnce_ms =
     1e-9;  // of a ray, taken where a picture is no longer than the window may wait: it is one band
 constexpr double kUnknownCoarseness = 4.0;  // of a picture of unknown cost: a sixteenth of its pixels
 constexpr double kMostCoarse = 8.0;
-constexpr double kCoarser = 1.25;       // steps of sizes: textures of each are made once
-constexpr double kFinerBelow = 0.7;     // of the time that the next finer size may take: else sizes would alternate
-constexpr double kLeastSide_px = 32.0;  // of a coarse picture: with less there is nothing to see
+constexpr double kCoarser = 1.25;    // steps of sizes: textures of each are made once
+constexpr double kFinerBelow = 0.7;  // of the time that the next finer size may take: else sizes would alternate
+constexpr int kLightInMotion_px = 96, kLight_px = 256;  // longest side of the light for telescopes
+constexpr double kLeastSide_px = 32.0;                   // of a coarse picture: with less there is nothing to see
 
 // For pictures that follow each other.
 void prepare_flight(Renderer& renderer) {
@@ -210,6 +211,10 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
             lay_streamlines(renderer_, job.scene, drawn);
         }
         if (job.scene.picture.ticks && is_polarised(job.scene) && !split_) painting.stokes = tick_stokes(job.scene);
+        if (job.light)
+            painting.light = light_.draw(job, first ? kLightInMotion_px : kLight_px, {first, watch.give_up});
+        else
+            light_.drop();
     }
     add_facts(painting);
     return painting;

@@ -15,6 +15,7 @@
 #include "scene/split.h"
 #include "studio/effect_watch.h"
 #include "studio/paint_job.h"
+#include "viewer/small_light.h"
 
 namespace nullscope::viewer {
 
@@ -33,6 +34,7 @@ struct Painting {
     unsigned texture_b = 0;                // likewise, of job.side_b; 0: there is none
     int width = 0, height = 0;             // of the texture; of a coarse picture less than the job's
     std::optional<RayFrame> rays, rays_b;  // of the job, and of job.side_b
+    Image<float> light;                    // linear, of small_scene(job.scene); empty: not asked for, or there is none
     Image<float> stokes, stokes_b;         // likewise, where they show ticks, of their number: annotate/ticks.h
     double draw_ms = 0.0;                  // the picture's, finished; compiling apart
     std::vector<std::string> notes;        // what was done to images
@@ -103,6 +105,7 @@ private:
     Renderer renderer_;
     std::unique_ptr<Renderer> right_;        // of a split screen
     std::unique_ptr<FrameRenderer> side_b_;  // of comparisons
+    SmallLight light_;                       // while jobs ask for it
     std::unique_ptr<Renderer> other_;        // while effects are measured
     std::optional<Halves> split_;            // that is prepared
     std::array<gl::Target, 2> halves_;

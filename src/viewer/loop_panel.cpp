@@ -110,7 +110,11 @@ void draw_loop(PanelPlace& place) {
         *looked_at = place.facts.number, watch.look(painting.job.scene, !painting.coarse());
     const float margin = kPanelMargin * em();
     const bool low = is_open(place.view, kHistogramPanel);  // which has the upper corner
-    ImGui::SetNextWindowPos({place.right - margin, low ? place.bottom - margin : place.top + margin}, ImGuiCond_Always,
+    float right = place.right;
+    if (const float beside = kTelescopeWidth * em() + margin;
+        is_open(place.view, kTelescopePanel) && place.left + 2.0f * beside < right)
+        right -= beside;
+    ImGui::SetNextWindowPos({right - margin, low ? place.bottom - margin : place.top + margin}, ImGuiCond_Always,
                             {1.0f, low ? 1.0f : 0.0f});
     if (ImGui::Begin("Q-U loop", &place.open,
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |

@@ -12,6 +12,7 @@
 #include "viewer/bookmark_panel.h"
 #include "viewer/probe.h"
 #include "viewer/scene_editor.h"
+#include "viewer/telescope_panel.h"
 #include "viewer/timeline_panel.h"
 #include "viewer/tour_panel.h"
 
@@ -27,6 +28,7 @@ struct PanelParts {
     BookmarkPanel bookmark_strip;
     TourPanel tour;
     LoopWatch loop;
+    TelescopePanel telescope;
     const std::vector<TourInfo>& all_tours() {  // that ship, read once
         if (tours.empty()) tours = shipped_tours();
         return tours;

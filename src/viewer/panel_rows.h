@@ -4,8 +4,8 @@
 
 namespace nullscope::viewer {
 
-extern const Panel kSidePanel, kTimelinePanel, kProbePanel, kBookmarksPanel, kHistogramPanel, kLoopPanel, kKeysPanel,
-    kEditorPanel, kAboutPanel, kToursPanel;
+extern const Panel kSidePanel, kTimelinePanel, kProbePanel, kBookmarksPanel, kHistogramPanel, kLoopPanel,
+    kTelescopePanel, kKeysPanel, kEditorPanel, kAboutPanel, kToursPanel;
 
 inline constexpr const Panel* kPanelRows[] = {
     &kSidePanel,       //
@@ -14,6 +14,7 @@ inline constexpr const Panel* kPanelRows[] = {
     &kBookmarksPanel,  // beside the probe
     &kHistogramPanel,  //
     &kLoopPanel,       // beside the histogram
+    &kTelescopePanel,  // beside the histogram
     &kKeysPanel,       //
     &kEditorPanel,     // above the strips
     &kAboutPanel,      //

@@ -22,7 +22,10 @@ void load_font(double pixels) {
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     fonts.Clear();
     const auto file = sans_font_file();
-    if (file && fonts.AddFontFromFileTTF(file->c_str(), static_cast<float>(std::round(pixels))) != nullptr) return;
+    static constexpr ImWchar kLetters[] = {0x20, 0xff, 0x3bb, 0x3bb, 0};  // Latin, and wavelengths' lambda
+    if (file &&
+        fonts.AddFontFromFileTTF(file->c_str(), static_cast<float>(std::round(pixels)), nullptr, kLetters) != nullptr)
+        return;
     constexpr float kBitmapFont = 13.0f;  // sharp only in whole multiples
     ImFontConfig config;
     config.SizePixels = kBitmapFont * std::fmax(1.0f, std::round(static_cast<float>(pixels) / kBitmapFont));

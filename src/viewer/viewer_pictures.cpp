@@ -15,6 +15,7 @@
 #include "scenefile/picture_scene.h"
 #include "version/version.h"
 #include "viewer/overlay.h"
+#include "viewer/panel_rows.h"
 #include "viewer/ring_zoom.h"
 #include "viewer/tick_lines.h"
 #include "viewer/viewer.h"
@@ -52,6 +53,8 @@ std::filesystem::path fresh_screenshot_path() {
 
 void Viewer::ask() {
     const bool busy = painter_->busy();
+    if (is_open(view_, kTelescopePanel) && shown_.is_there() && !shown_.painting.job.light && !busy)
+        due_.picture = true;  // the panel was just opened
     if (!due_.picture) {
         const bool of_b = cover_.orders[1].asks_for_rays();
         if (!busy && (cover_.accuracy->asks_for_rays() || cover_.orders[0].asks_for_rays() || of_b))
@@ -70,6 +73,7 @@ void Viewer::ask() {
     asked_.choice = method_choice(methods_.measured, view_.method, scene);
     PaintJob job{scene, asked_.choice.method, false,
                  adaptation_.step(seconds(), patient() || !scene.picture.auto_exposure), coarse};
+    job.light = is_open(view_, kTelescopePanel);
     if (view_.side_b != nullptr) {
         const Scene b = drawn_side_b(view_);
         const Method method = method_choice(methods_.measured, view_.side_b->method, b).method;
@@ -133,7 +137,9 @@ void Viewer::draw_marks() {
 }
 
 void Viewer::draw(unsigned framebuffer, PixelSize to) {
-    if (shown_.is_there())
+    if (const SeenPicture seen = panels_.telescope.seen(); shown_.is_there() && seen.texture != 0)
+        gl::blit(seen.texture, seen.width, seen.height, framebuffer, to.width, to.height);
+    else if (shown_.is_there())
         gl::blit(shown_.painting.texture, shown_.painting.width, shown_.painting.height, framebuffer, to.width,
                  to.height);
     if (shown_.painting.texture_b != 0)

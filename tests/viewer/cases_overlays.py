@@ -269,6 +269,69 @@ def test_the_loop_of_a_hot_spot_is_drawn_behind_its_picture(screen, program, fol
         assert "Q-U_loop" not in v.layout().windows
 
 
+# A bright ball of 8 r_s in flat space: a uniform disc, wider near by as only its nearer part is seen. A r_s is 7.638 microarcseconds.
+BALL_OF_M87 = """[spacetime]
+metric = "minkowski"
+[camera]
+r = 20.0
+fov = 70.0
+[sky]
+kind = "black"
+[object]
+name = "m87"
+[sphere]
+radius = 8
+texture = "plain"
+colour = [1, 1, 1]
+"""
+
+
+def test_the_telescope_follows_the_camera(screen, program, folder):
+    def null_and_formula(v):
+        r = next(float(words.split()[0]) for _, words, _ in v.layout().texts if re.fullmatch(r"[\d.]{5,} r_s", words))
+        null = next(float(words.split()[0]) for window, words, _ in v.layout().texts if window == "Telescope" and " Gλ: " in words)
+        seen = 2 * 8 / math.sqrt(1 - (8 / r) ** 2) * 7.637986504702 * math.pi / 180 / 3600e6     # rad, across
+        return null, 1e-9 * 1.219669891 / seen     # the first zero of J1, over pi
+    with opened(screen, program, scene=BALL_OF_M87) as v:
+        plain = v.settle("mousemove", *BESIDE)
+        assert "Telescope" not in v.layout().windows
+        v.settle("key", "t")
+        near, known = null_and_formula(v)
+        assert abs(near / known - 1) < 0.01, (near, known)
+        v.settle("mousemove", 420, 300, *["click", 5] * 8, "mousemove", *BESIDE)
+        far, known = null_and_formula(v)
+        assert abs(far / known - 1) < 0.01 and far > 1.05 * near, (near, far, known)
+        assert not says(v, "rough")
+        v.settle("mousemove", 420, 300, "mousedown", 1)
+        v.settle("mousemove", 520, 300, "mouseup", 1)
+        assert says(v, "rough"), "a camera that looks aside"
+        v.settle("key", "r", "mousemove", *BESIDE)
+        assert abs(null_and_formula(v)[0] / near - 1) < 1e-6
+        v.settle("key", "Escape")
+        same(plain, v.settle(), "the picture after the panel was closed")
+
+
+def test_the_picture_is_seen_through_a_telescopes_beam(screen, program, folder):
+    area = (330, 80, 450, 320)     # left of the panel: the ball's upper half
+    with opened(screen, program, scene=BALL_OF_M87) as v:
+        v.settle("key", "t", "mousemove", 420, 300, *["click", 5] * 8, "mousemove", *BESIDE)
+        plain = v.picture(area)
+        v.click(*v.layout().place("as it is", "Telescope"))
+        v.click(*v.layout().place("through a beam", "##Combo"))
+        beam = v.picture(area)
+        assert beam.changed(plain, CHANGED), "the beam changes nothing"
+        steepest = lambda picture: max(abs(picture.grey(60, y) - picture.grey(60, y + 1)) for y in range(picture.height - 1))
+        assert steepest(beam) < 0.2 * steepest(plain), (steepest(beam), steepest(plain))
+        x, y = v.layout().place("20.0 µas", "Telescope")
+        v.click(x - 100, y)     # 7 µas
+        assert steepest(v.picture(area)) > 1.5 * steepest(beam), "a narrower beam is not sharper"
+        v.settle("mousemove", *BESIDE, "key", "F12")
+        saved = next(Path(v.folder).glob("nullscope-*.png"))
+        assert read_png(saved).crop(*area).differing(v.picture(area)) < NOISE, "F12 does not save what is shown"
+        v.settle("key", "Escape")
+        same(plain, v.picture(area), "the picture after the panel was closed")
+
+
 def test_the_windows_place_is_kept(screen, program, folder):
     def place(v):
         words = subprocess.run(["xdotool", "getwindowgeometry", v.window], env=v.env, capture_output=True, text=True).stdout
@@ -412,5 +475,6 @@ if EVERYTHING:
               test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
               test_the_embedding_diagram_is_drawn, test_framing_guides_lie_over_the_picture,
               test_the_histogram_says_what_the_saved_picture_has, test_the_loop_of_a_hot_spot_is_drawn_behind_its_picture,
+              test_the_telescope_follows_the_camera, test_the_picture_is_seen_through_a_telescopes_beam,
               test_the_windows_place_is_kept,
               test_panels_are_used_by_keyboard, test_the_sides_of_a_comparison_are_swapped]

@@ -2,11 +2,11 @@
 """Frame rate and delay of nullscope-viewer while the picture is dragged, with a software driver, and how soon the whole
 picture is there.
 
-Usage: measure_motion.py VIEWER [--scenes A,B] [--size WxH] [--seconds S] [--check]
+Usage: measure_motion.py VIEWER [--scenes A,B] [--size WxH] [--seconds S] [--coarse N] [--telescope] [--check]
 What is promised for 1280x720 on two quiet cores: 20 pictures a second, 95 % of them within 100 ms of their input, whole 0.5 s after the
 hand rests (1 s for kerr). --check (with NULLSCOPE_TESTS=quick for first-light alone) holds what of that does not depend on what else the
 machine does: the processor time of a picture in motion and of the whole one, divided by the machine's slowness (tests/machine.py), and the
-pictures that are drawn between an input and what follows it. Of up to three runs the best counts, for whoever else runs only adds.
+pictures that are drawn between an input and what follows it. --telescope: with that panel open. Of up to three runs the best counts, for whoever else runs only adds.
 Exit status 0: measured, and kept; 1: broken; 77: Xvfb or xdotool is missing.
 """
 import argparse
@@ -29,9 +29,9 @@ MOST_BEHIND = 3.0                                  # pictures: one is drawn, one
 RUNS = 3
 
 
-def drag(v, width, height, seconds):
-    """What one drag measures: see said()."""
-    x, y, reach = 0.55 * width, 0.55 * height, 0.1 * width
+def drag(v, width, height, seconds, down=0.55):
+    """What one drag measures: see said(). down: where it begins, of the height."""
+    x, y, reach = 0.55 * width, down * height, 0.1 * width
     v.hands("mousemove", int(x), int(y), "mousedown", 1)
     at, begun, steps, before = v.log.size(), time.monotonic(), 0, v.spent()
     shown = lambda: [float(turn["age_ms"]) for turn in v.log.turns(at) if float(turn["age_ms"]) > 0]
@@ -70,6 +70,8 @@ def main():
     parser.add_argument("--scenes", default="first-light,kerr")
     parser.add_argument("--size", default="1280x720")
     parser.add_argument("--seconds", type=float, default=4.0 if EVERYTHING else 2.0)
+    parser.add_argument("--coarse", default="1", help="pictures have 1/N of the window's width and height")
+    parser.add_argument("--telescope", action="store_true")
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     if missing_tools():
@@ -79,13 +81,15 @@ def main():
     screen, good = Screen(width + 40, height + 40), True
     try:
         for scene in options.scenes.split(",") if EVERYTHING or not options.check else ["first-light"]:
-            v = Viewer(screen, os.path.abspath(options.viewer), "--size", options.size, scene=scene)
+            v = Viewer(screen, os.path.abspath(options.viewer), "--size", options.size, "--coarse", options.coarse, scene=scene)
             try:
                 v.start()
+                if options.telescope:
+                    v.settle("key", "t")
                 v.rests()     # programs that make motion cheaper are compiled meanwhile
                 for run in range(RUNS):
                     slow = slowness()
-                    measured = drag(v, width, height, options.seconds)
+                    measured = drag(v, width, height, options.seconds, down=0.7 if options.telescope else 0.55)
                     slow = (slow + slowness()) / 2
                     measured.update({name: value / slow for name, value in measured.items() if name.endswith("_cpu_s")})
                     print(said(scene, measured), flush=True)
