@@ -22,7 +22,7 @@ constexpr double kMostCoarse = 8.0;
 constexpr double kCoarser = 1.25;    // steps of sizes: textures of each are made once
 constexpr double kFinerBelow = 0.7;  // of the time that the next finer size may take: else sizes would alternate
 constexpr int kLightInMotion_px = 96, kLight_px = 256;  // longest side of the light for telescopes
-constexpr double kLeastSide_px = 32.0;                   // of a coarse picture: with less there is nothing to see
+constexpr double kLeastSide_px = 32.0;                  // of a coarse picture: with less there is nothing to see
 
 // For pictures that follow each other.
 void prepare_flight(Renderer& renderer) {

@@ -136,7 +136,7 @@ const Panel kLoopPanel{
     .name = "Q-U loop",
     .keys = "U",
     .key = GLFW_KEY_U,
-    .words = "how a hot spot's polarisation goes round",
+    .words = "how a hot spot is polarised",
     .help = "Q and U of the picture's light through one orbit of a hot spot, computed in the background.",
     .hides_picture = true,
     .why_not = no_loop_of_view,

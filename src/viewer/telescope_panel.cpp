@@ -214,7 +214,7 @@ const Panel kTelescopePanel{
     .name = "Telescope",
     .keys = "T",
     .key = GLFW_KEY_T,
-    .words = "what radio telescopes measure of the picture",
+    .words = "what telescopes measure of it",
     .help =
         "Visibilities of the picture's light, tracks and closure phases of the Event Horizon Telescope, and the "
         "picture through its beam.",
