@@ -9,7 +9,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ASSETS = ROOT / "assets"
-COPIED = ["gallery/*.jpg", "images/*.png", "images/*.jpg", "sky/*", "warp/*.data", "medium/*.grid"]  # fetched when a scene asks for them
+COPIED = ["gallery/*.jpg", "images/*.png", "images/*.jpg", "sky/*", "warp/*.data", "medium/*.grid", "telescopes/*.csv"]  # fetched when a scene asks for them
 TEXTS = ["scenes/*.toml", "gallery/groups.toml", "frontier.csv"]  # all at once
 
 

@@ -3,6 +3,7 @@
 import functools
 import http.server
 import json
+import math
 import sys
 import threading
 import unittest
@@ -31,6 +32,21 @@ emission = "thermal"
 polarisation = "scattering"
 [picture]
 ticks = "on"
+"""
+# A uniform disc as seen: of 8 r_s in flat space, where a r_s of M87* is 7.638 microarcseconds.
+BALL = """[spacetime]
+metric = "minkowski"
+[camera]
+r = 20
+fov = 70
+[sky]
+kind = "black"
+[object]
+name = "m87"
+[sphere]
+radius = 8
+texture = "plain"
+colour = [1, 1, 1]
 """
 DIGEST = """.then(async ({ width, height, pixels }) => [width, height,
   ...new Uint8Array(await crypto.subtle.digest("SHA-256", pixels))])"""
@@ -299,6 +315,46 @@ class Wide(unittest.TestCase):
         self.assertLess(page.run(lit), 0.97 * plain)
         self.assertTrue(page.run(f"{VIEW}.ask('picture').then(({{ pixels }}) => pixels.every((value, i) => value <= before[i]))"))
 
+    def test_telescope(self):
+        """The null follows the camera as its closed form says; the beam lies over the picture; a closed panel finds nothing."""
+        page = self.page
+        page.run(f"{VIEW}.open({json.dumps(BALL)})")
+        page.run(f"window.found = null, {VIEW}.addEventListener('telescope', ({{ detail }}) => (window.found = detail))")
+
+        def null_and_formula():
+            page.wait("window.found?.curve?.length === 129", 300)    # of the picture at rest
+            seen = 16 / math.sqrt(1 - (8 / page.camera()["r"]) ** 2) * 7.637986504702 * math.pi / 180 / 3600e6
+            return page.run("window.found.minimum[0]"), 1e-9 * 1.219669891 / seen
+        page.click("#tab-telescope")
+        near, known = null_and_formula()
+        self.assertAlmostEqual(near / known, 1, delta=0.01)
+        self.assertIn("Gλ", page.text("#telescope .figures"))
+        x, y = page.centre()
+        page.run("window.found = null")
+        for _ in range(6):
+            page.mouse("mouseWheel", x, y, deltaX=0, deltaY=100)
+        page.wait(f"{VIEW}.drawn.place[0] > 30 && {VIEW}.left === 0")
+        page.run("window.found = null")
+        page.run(f"{VIEW}.ask('touch')")
+        far, known = null_and_formula()
+        self.assertAlmostEqual(far / known, 1, delta=0.01)
+        self.assertGreater(far, 1.04 * near)
+        self.assertFalse(page.shown("#beam"))
+        page.run("{ const list = document.querySelector('#telescope select'); list.value = 1; list.dispatchEvent(new Event('change')); }")
+        page.wait("document.querySelector('#beam').checkVisibility()")
+        edge, middle = page.run("""(() => { const over = document.querySelector('#beam'), { width, height } = over;
+            const { data } = over.getContext('2d').getImageData(0, height / 2, width, 1);
+            return [0.05, 0.5].map((x) => data[4 * Math.floor(x * width)]); })()""")
+        self.assertGreater(middle, edge + 100)
+        page.run(f"{VIEW}.change((now) => now.set('split', '{{ metric = \"schwarzschild\" }}'))")
+        page.wait("document.querySelector('#telescope-says').textContent.includes('split')")
+        self.assertFalse(page.shown("#beam"))
+        page.click("#tab-settings")
+        page.run("window.found = 'none'")
+        self.page.fresh()
+        page.run(f"{VIEW}.ask('whole')")
+        self.assertEqual(page.run("window.found"), "none")
+
     def test_proof(self):
         page = self.page
         page.click("#tab-proof")
@@ -339,7 +395,7 @@ class Wide(unittest.TestCase):
     def test_everything_has_a_name(self):
         page = self.page
         page.run("for (const section of document.querySelectorAll('#settings details')) section.open = true")
-        for tab in ("scenes", "proof", "settings"):
+        for tab in ("scenes", "telescope", "proof", "settings"):
             page.click(f"#tab-{tab}")
             for node in page.page("Accessibility.getFullAXTree")["nodes"]:
                 role, name = node.get("role", {}).get("value"), node.get("name", {}).get("value", "")

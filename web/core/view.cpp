@@ -45,11 +45,10 @@ Scene shown(int width, int height) {
     return scene;
 }
 
-// With the method that capture and the window choose where nothing is asked for.
 Status prepare_by(Renderer& by, const Scene& scene) {
-    static const auto measured = load_frontier(assets_directory() / "frontier.csv");
-    if (!measured) return measured.error();
-    by.set_method(default_method(*measured, scene).method);
+    const auto method = method_of(scene);
+    if (!method) return method.error();
+    by.set_method(*method);
     return by.prepare(scene);
 }
 
@@ -72,6 +71,12 @@ void draw_half(Renderer& by, gl::Target& target, const CameraSpec& camera, int x
 }
 
 }  // namespace
+
+Result<Method> method_of(const Scene& scene) {
+    static const auto measured = load_frontier(assets_directory() / "frontier.csv");
+    if (!measured) return measured.error();
+    return default_method(*measured, scene).method;
+}
 
 // For a new context, also after one was lost. floats: it draws to textures of floats; without that nothing is drawn in tiles. filtered:
 // gl::filters_floats.

@@ -3,6 +3,7 @@
 import { Controls, make, unquoted, words } from "./controls.js";
 import { entries, linkOf, partsOf, sceneOf } from "./line.js";
 import { Proof } from "./proof.js";
+import { Telescope } from "./telescope.js";
 import { plain } from "./view.js";
 
 const FIRST_SCENE = "first-light";
@@ -31,7 +32,7 @@ view.addEventListener("refused", ({ detail }) => toast(detail.message));
 
 // ---- panel
 
-const TABS = ["scenes", "settings", "proof"];
+const TABS = ["scenes", "settings", "telescope", "proof"];
 function show(which) {
   document.body.classList.toggle("folded", which === null);
   for (const name of TABS) {
@@ -44,6 +45,7 @@ function show(which) {
   shown = which;
   if (which === "proof") showPlan();
   if (which === "settings") controls.refresh();
+  telescope.show(which === "telescope").catch(refuse);
 }
 let shown, last = "settings";
 for (const name of TABS)
@@ -160,6 +162,7 @@ const controls = new Controls(view, get("settings"), toast);
 const proof = new Proof(view, get("proof"), get("heat"), async () => ({
   title: get("title").querySelector("h1").textContent, link: new URL(`#${await link()}`, location.href).href,
 }));
+const telescope = new Telescope(view, get("telescope"), get("beam"));
 async function showPlan() {
   proof.plan(await view.ask("plan"));
 }

@@ -13,7 +13,7 @@ const SHIPPED = "/assets/";    // paths of files that ship, as core.wasm names t
 const LOST = "the graphics device is gone for a moment";
 
 export class Engine {
-  // say(event, values): "drawn", "ticks" (to be drawn over it, or null: none any more), "rest" (the picture has all its pixels and rays, and nothing
+  // say(event, values): "telescope" (what was found, null where the picture is dark, or { refusal }), "drawn", "ticks" (to be drawn over it, or null: none any more), "rest" (the picture has all its pixels and rays, and nothing
   // moves), "lost", "restored", "failed"
   constructor(say) {
     this.say = say;
@@ -167,6 +167,36 @@ export class Engine {
     if (!this.core.exports.let_go()) throw new Failure(this.core.answer());
     return this.touch();
   }
+  // What telescopes measure of each picture from now on, said as "telescope"; null: nothing more. wish: as want_of_telescope() has it.
+  async telescope(wish) {
+    this.measures = wish !== null;
+    if (!this.measures) return this.core.exports.end_telescope();
+    await this.wantOfTelescope(wish);
+    return this.touch();
+  }
+  async wantOfTelescope(wish) {
+    this.telescopeWish = wish;
+    await this.#withFiles(() => this.core.call("want_of_telescope", ...wish));
+    const found = JSON.parse(this.core.answer());
+    if (found !== null) this.#sayFound(found);
+  }
+  async #measure(quick) {
+    const { width, height } = this.size;
+    try {
+      if (!this.limits.floats) throw new Failure("This device cannot draw to textures of floats: its light cannot be read.");
+      await this.#withFiles(() => this.core.call("look_by_telescope", width, height, Number(quick)));
+      this.#sayFound(JSON.parse(this.core.answer()));
+    } catch (error) {
+      if (!this.gl.isContextLost()) this.say("telescope", { refusal: error.message });
+    }
+  }
+  #sayFound(found) {
+    if (found?.beam) {
+      const [width, height, place] = found.beam.picture;
+      Object.assign(found.beam, { width, height, pixels: new Uint8ClampedArray(this.core.bytes.slice(place, place + 4 * width * height)) });
+    }
+    this.say("telescope", found);
+  }
   setClock(rate) { this.clock = rate; return this.touch(); }
   // px of the canvas to those of the scene's camera, which were set by the last picture
   #scaled(x, y) {
@@ -273,6 +303,7 @@ export class Engine {
     this.everDrawn = true;
     const place = [0, 1, 2, 3, 4].map((which) => this.core.exports.place(which));
     this.say("drawn", { width, height, ms, place, falls: Boolean(this.core.exports.falls()) });
+    if (this.measures) await this.#measure(quick);
     if (!first || !quick) this.#ticks();  // the first picture does not wait for their program
     for (const { done } of this.waiting.splice(0)) done();
   }
@@ -329,7 +360,9 @@ export class Engine {
   #restored() {
     this.limits = this.#extensions();
     this.functions.forget();
+    this.core.exports.end_telescope();  // its renderer was the old context's
     this.core.exports.start_view(this.limits.floats, this.limits.filtered);
+    if (this.measures) this.telescope(this.telescopeWish.map((value, i) => (i === 2 ? -1 : value)));
     this.started = true;
     this.drawn = null;
     this.say("restored", {});
