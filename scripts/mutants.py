@@ -13,6 +13,7 @@ LINE = ("unit_tests", "line profile*")
 MATRIX = ("cli", "test_matrix.py")
 VISIBILITY = ("unit_tests", "visibility*")
 TELESCOPE = ("unit_tests", "telescope*")
+LIVE = ("unit_tests", "live*")
 
 
 class Mutant(NamedTuple):
@@ -143,6 +144,12 @@ MUTANTS = [Mutant(*row) for row in [
      "std::conj(visibilities[scan.at(a, c)])", "visibilities[scan.at(a, c)]", TELESCOPE),
     ("telescope-noise", "noise of one hand for that of both", "src/telescope/observation.cpp",
      "(4 * bandwidth_hz * integration_s)", "(2 * bandwidth_hz * integration_s)", TELESCOPE),
+    ("live-plane", "a plane of baselines with its east for its west", "src/telescope/live_view.cpp",
+     "*plane.at(x, y) = *plane.at(side - 1 - x, side - 1 - y)", "*plane.at(side - 1 - x, y) = *plane.at(x, side - 1 - y)", LIVE),
+    ("live-closure", "a panel's triangle whose sides are exchanged", "src/telescope/live_view.cpp",
+     "scan.at(a, b), scan.at(b, c), scan.at(a, c)", "scan.at(a, b), scan.at(a, c), scan.at(b, c)", LIVE),
+    ("beam-turn", "an elliptical beam turned the other way", "src/telescope/beam.cpp",
+     "(major - minor) * s * c / down", "(minor - major) * s * c / down", ("unit_tests", "beam*")),
     ("line-carter", "the hole's sense of rotation in Carter's constant of a distant ray", "src/spectrum/distant_light.cpp",
      "of.eta + (of.lambda - a_) * (of.lambda - a_);", "of.eta + (of.lambda + a_) * (of.lambda + a_);", LINE),
     ("line-area", "the image's area by ln r for that by r - r_horizon", "src/spectrum/disc_image.cpp",

@@ -24,7 +24,7 @@ struct Kernel {
         }
         for (double& weight : weights) weight /= sum;
     }
-    double at(int k) const { return weights[static_cast<std::size_t>(k + reach)]; }
+    double at(int k) const { return *(weights.begin() + k + reach); }
 };
 
 // to[x] += weight from[x + shift], where that is in the row; in pixels.

@@ -1,7 +1,7 @@
 // What a panel "Telescope" keeps between pictures: what is wished, the array's day, what was found in the last picture.
 #pragma once
-#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,7 +51,9 @@ public:
     const std::vector<Triangle>& triangles() const { return triangles_; }
     // Where the scene's time goes on: the chosen triangle's closure phase at that time, of each picture, by the baselines of its middle scan. Two or
     // more, or empty.
-    const std::vector<TimedPhase>& by_time() const { return by_time_.size() > 1 ? by_time_ : none_; }
+    std::span<const TimedPhase> by_time() const {
+        return std::span(by_time_).subspan(by_time_.size() > 1 ? 0 : by_time_.size());
+    }
 
     std::optional<Beam> beam() const;         // that the picture is wished through
     Image<float> through(const Beam&) const;  // linear light
@@ -70,7 +72,6 @@ private:
     std::vector<Triangle> triangles_;
     LiveView view_;
     std::vector<TimedPhase> by_time_;
-    static inline const std::vector<TimedPhase> none_;
     double time_ = 0;
     bool quick_ = false;
     int changes_ = 0;

@@ -60,6 +60,7 @@ Observation live_day(const std::vector<Station>& stations, const LiveSource& sou
                          {},
                          {},
                          10 * kOneDegree};
+    plan.hours.reserve(kScans + 1);
     for (int i = 0; i <= kScans; ++i) plan.hours.push_back(24.0 * i / kScans);
     auto day = observe(stations, plan);
     return day ? std::move(*day) : Observation{};  // 145 scans of kMostStations are not too many

@@ -162,7 +162,7 @@ void draw_tracks(const LiveTelescope& telescope, const gl::Texture& plane, float
 }
 
 void draw_closure(const LiveTelescope& telescope, const NumberStyle& style, ImVec2 size) {
-    const auto& by_time = telescope.by_time();
+    const auto by_time = telescope.by_time();
     const bool moves = !by_time.empty();
     const double begun = moves ? by_time.front().hours : 0.0, end = moves ? by_time.back().hours - begun : 24.0;
     const PlotFrame frame(size, 0, end, -180, 180);
