@@ -350,7 +350,7 @@ class Wide(unittest.TestCase):
         page.wait("document.querySelector('#telescope-says').textContent.includes('split')")
         self.assertFalse(page.shown("#beam"))
         page.click("#tab-settings")
-        page.run("window.found = 'none'")
+        page.run(f"{VIEW}.ask('sceneLine').then(() => (window.found = 'none'))")
         self.page.fresh()
         page.run(f"{VIEW}.ask('whole')")
         self.assertEqual(page.run("window.found"), "none")

@@ -187,10 +187,11 @@ export class Engine {
       await this.#withFiles(() => this.core.call("look_by_telescope", width, height, Number(quick)));
       this.#sayFound(JSON.parse(this.core.answer()));
     } catch (error) {
-      if (!this.gl.isContextLost()) this.say("telescope", { refusal: error.message });
+      if (this.measures && !this.gl.isContextLost()) this.say("telescope", { refusal: error.message });
     }
   }
   #sayFound(found) {
+    if (!this.measures) return;  // it was told to end meanwhile
     if (found?.beam) {
       const [width, height, place] = found.beam.picture;
       Object.assign(found.beam, { width, height, pixels: new Uint8ClampedArray(this.core.bytes.slice(place, place + 4 * width * height)) });
