@@ -262,7 +262,7 @@ nb::dict on_sky(const Scene& scene, const Asked& asked) {
     cli::add_scene(now, header);
     header.cards.push_back({"WIDTH", static_cast<long long>(now.camera.width), ""});
     header.cards.push_back({"HEIGHT", static_cast<long long>(now.camera.height), ""});
-    if (const auto flux = cli::flux_unit(now, several)) {
+    if (const auto flux = flux_unit(now, several)) {
         header.cards.push_back({"FREQ", 1e9 * flux->frequency_GHz, ""});
         header.cards.push_back({"JANSKY", flux->jansky, ""});
         header.cards.push_back({"LUMINANC", flux->luminance_jansky, ""});

@@ -182,12 +182,14 @@ void TelescopePanel::draw(PanelPlace& place) {
     if (facts.painting.texture != 0 && number_ != facts.number) look(facts.painting, facts.number);
     const float margin = kPanelMargin * em();
     const bool low = is_open(place.view, kHistogramPanel);  // which has the upper corner
-    const bool fits = kTelescopeWidth * em() + 2.0f * margin <= place.right - place.left;
-    const float right = fits ? place.right : ImGui::GetIO().DisplaySize.x, top = place.top + margin,
-                bottom = place.bottom - margin;
-    ImGui::SetNextWindowPos({right - margin, low ? bottom : top}, ImGuiCond_Always, {1.0f, low ? 1.0f : 0.0f});
-    ImGui::SetNextWindowSizeConstraints({kTelescopeWidth * em(), 0.0f},
-                                        {kTelescopeWidth * em(), std::max(bottom - top, 1.0f)});
+    constexpr float kLeastWidth = 17.0f;  // of the font's size: beside the side panel where that is wide
+    const float room = place.right - place.left - 2.0f * margin, width = std::min(kTelescopeWidth * em(), room);
+    const bool fits = width >= kLeastWidth * em();
+    const ImVec2 size{fits ? width : kTelescopeWidth * em(), std::max(place.bottom - place.top - 2.0f * margin, 1.0f)};
+    const float right = fits ? place.right : ImGui::GetIO().DisplaySize.x;
+    ImGui::SetNextWindowPos({right - margin, low ? place.bottom - margin : place.top + margin}, ImGuiCond_Always,
+                            {1.0f, low ? 1.0f : 0.0f});
+    ImGui::SetNextWindowSizeConstraints({size.x, 0.0f}, size);
     if (ImGui::Begin("Telescope", &place.open,
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing)) {
