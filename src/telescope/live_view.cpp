@@ -54,14 +54,14 @@ Waves waves_of(std::span<const double> frequencies, double pixel, int count) {
 
 Observation live_day(const std::vector<Station>& stations, const LiveSource& source) {
     constexpr int kScans = 144;
-    ObservationPlan plan{kOneDegree * source.place.right_ascension_deg,
-                         kOneDegree * source.place.declination_deg,
-                         1e9 * source.frequency_GHz,
-                         {},
-                         {},
-                         10 * kOneDegree};
-    plan.hours.reserve(kScans + 1);
-    for (int i = 0; i <= kScans; ++i) plan.hours.push_back(24.0 * i / kScans);
+    std::vector<double> hours(kScans + 1);
+    for (int i = 0; i <= kScans; ++i) hours[static_cast<std::size_t>(i)] = 24.0 * i / kScans;
+    const ObservationPlan plan{kOneDegree * source.place.right_ascension_deg,
+                               kOneDegree * source.place.declination_deg,
+                               1e9 * source.frequency_GHz,
+                               std::move(hours),
+                               {},
+                               10 * kOneDegree};
     auto day = observe(stations, plan);
     return day ? std::move(*day) : Observation{};  // 145 scans of kMostStations are not too many
 }
@@ -89,6 +89,7 @@ Image<float> visibility_plane(const SkyPicture& picture, double longest, int sid
     const int width = picture.flux.width, height = picture.flux.height;
     const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
     std::vector<double> steps;
+    steps.reserve(static_cast<std::size_t>(side));
     for (int i = 0; i < side; ++i) steps.push_back(longest * (1 - 2.0 * i / (side - 1)));
     const Waves east = waves_of(steps, picture.pixel, width), north = waves_of(steps, picture.pixel, height);
     Image<float> plane(side, side, 1);
