@@ -247,7 +247,7 @@ Status run_study(const StudyOptions& options) {
     std::error_code error;
     const bool made = !folder.empty() && fs::create_directories(folder, error);
     if (error) return failed(fmt::format("-o {}: {}", options.output, error.message()));
-    if (const Status good = check_cases(*study); !good) {
+    if (Status good = check_cases(*study); !good) {
         if (made) fs::remove(folder, error);
         return good;
     }

@@ -49,6 +49,7 @@ Result<std::optional<std::vector<std::string>>> range_of(const std::string& word
         return bad_input(fmt::format("--set {}: {} values", words, parts[2]),
                          fmt::format("FROM:TO:COUNT, both ends included, a whole number from 2 to {}", kMostCases));
     std::vector<std::string> values;
+    values.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < static_cast<int>(count); ++i)  // the ends are exact
         values.push_back(fmt::format("{}", i == 0 ? from : i + 1 == count ? to : from + i * (to - from) / (count - 1)));
     return std::optional(std::move(values));
