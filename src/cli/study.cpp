@@ -235,8 +235,10 @@ Status print_commands(const StudyOptions& options, const Study& study) {
 
 // What is wrong is said before any is drawn.
 Status check_cases(const Study& study) {
+    Progress progress("cases", study.range.end - study.range.first);
     for (int number = study.range.first; number < study.range.end; ++number) {
         TRY(good, case_run(study, number));
+        progress.advance();
     }
     return Done{};
 }
