@@ -8,7 +8,7 @@ uniform highp sampler2D warp_texture;   // render/warp_texture.h: texels by numb
 #define WARP_ROW 1024       // texels
 #define WARP_PICTURE 0      // the first of the two that tell of the bins by the place on the screen,
 #define WARP_STARS 2        // and of those by the place in the picture
-#define WARP_HALF 4         // half the picture's width and height
+#define WARP_HALF 4         // half the picture's width and height, factor on shares: 0 where pixels are points
 #define WARP_RIM 1.0e-4     // of a triangle beyond its sides, so that nothing is missed between two
 #define WARP_NARROWEST 0.1  // as kNarrowestShare of scene/warp_mesh.h
 
@@ -96,7 +96,7 @@ WarpPlace warp_place(vec2 place) {
     WarpPlace found = warp_search(at, WARP_PICTURE, false);
     if (found.light < 0.0 || warp_beyond(at + found.at)) return WarpPlace(place, -1.0, 1.0);
     found.at = place + frame.warp.x * found.at;
-    found.share = max(found.share, WARP_NARROWEST);
+    found.share = max(found.share * warp_texel(WARP_HALF).z, WARP_NARROWEST);
     return found;
 }
 

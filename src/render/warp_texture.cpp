@@ -33,7 +33,9 @@ std::vector<float> warp_texels(const WarpMesh& mesh, std::array<double, 2> half)
         add(bins.size() == 0 ? 0 : bins.columns, bins.size() == 0 ? 0 : bins.rows, static_cast<double>(first_bin[i]),
             0);
     }
-    add(half[0], half[1], 0, 0);
+    constexpr double kAnywhere = 1e9;
+    const bool points = mesh.of_points();
+    add(points ? kAnywhere : half[0], points ? kAnywhere : half[1], points ? 0.0 : 1.0, 0);
     const auto node = [&](int number) { return static_cast<double>(first_node) + 2.0 * number; };
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const CellBins& bins = *kinds[i];

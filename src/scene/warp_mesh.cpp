@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/file_cache.h"
+#include "scene/pixel_mesh.h"
 #include "scene/projection.h"
 
 namespace nullscope {
@@ -248,6 +249,8 @@ const WarpMesh* mesh_of(const CameraSpec& camera) {
     thread_local int known = -1;
     if (known == loads && path == camera.warp.native() && screen == screen_of(camera)) return mesh.get();
     known = loads, path = camera.warp.native(), screen = screen_of(camera);
+    mesh = held_mesh(camera.warp);
+    if (mesh) return mesh.get();
     mesh = loaded.known(camera.warp);
     if (mesh && mesh->of_screen()) mesh = loaded_for(screen).known(camera.warp);
     if (!mesh)
@@ -276,6 +279,7 @@ Result<std::shared_ptr<const WarpMesh>> load_warp_mesh(const std::filesystem::pa
 }
 
 Result<std::shared_ptr<const WarpMesh>> load_warp_mesh(const CameraSpec& camera) {
+    if (auto held = held_mesh(camera.warp)) return held;
     return load_warp_mesh(camera.warp, screen_of(camera));
 }
 
@@ -285,12 +289,13 @@ std::optional<WarpedPlace> warped_place(const CameraSpec& camera, double x, doub
     const auto [half_x, half_y] = input_half(camera);
     const Point at = on_screen(camera, x, y);
     const auto place = mesh->at(at.x, at.y);
-    if (!place || place->u < 0.0 || place->u > 1.0 || place->v < 0.0 || place->v > 1.0) return std::nullopt;
+    const bool beside = !place || place->u < 0.0 || place->u > 1.0 || place->v < 0.0 || place->v > 1.0;
+    if (beside && !(place && mesh->of_points())) return std::nullopt;
     const double half_px = 0.5 * camera.whole_height(),
                  area = place->slopes[0] * place->slopes[3] - place->slopes[1] * place->slopes[2];
     return WarpedPlace{{(2 * place->u - 1) * half_x * half_px, (2 * place->v - 1) * half_y * half_px},
                        place->light,
-                       std::sqrt(4 * half_x * half_y * std::fabs(area))};
+                       mesh->of_points() ? 0.0 : std::sqrt(4 * half_x * half_y * std::fabs(area))};
 }
 
 std::optional<std::array<double, 2>> unwarped_place(const CameraSpec& camera, std::array<double, 2> at) {

@@ -44,6 +44,10 @@ class WarpMesh {
 public:
     // name: of the file, for messages. Errors: what is no mesh, with its line, and meshes of which too many cells overlap at one point.
     static Result<WarpMesh> parse(std::string_view text, const std::string& name, const WarpScreen& screen = {});
+    // Of a picture of that many pixels, both even: u, v of each pixel's middle, row by row from the top, also beyond the projection's own picture.
+    // Its pixels are points: their share is 0. Between their middles it says nothing.
+    static WarpMesh of_pixels(const std::vector<std::array<double, 2>>& places, int width, int height);
+    bool of_points() const { return of_points_; }
     bool of_screen() const { return of_screen_; }  // it is another one for another screen
 
     std::optional<WarpPlace> at(double x, double y) const;                    // nothing beside the mesh
@@ -65,7 +69,7 @@ private:
     CellBins bins_, bins_of_picture_;
     int columns_ = 0, rows_ = 0;
     double least_area_ = 1e30;
-    bool of_screen_ = false;
+    bool of_screen_ = false, of_points_ = false;
 };
 
 // Half the width and half the height of the projection's own picture, in half heights of the screen.
