@@ -12,6 +12,7 @@ GAS_LAW = ("unit_tests", "disc gas*")
 LINE = ("unit_tests", "line profile*")
 MATRIX = ("cli", "test_matrix.py")
 VISIBILITY = ("unit_tests", "visibility*")
+RING_PARTS = ("unit_tests", "ring parts*")
 TELESCOPE = ("unit_tests", "telescope*")
 LIVE = ("unit_tests", "live*")
 
@@ -138,6 +139,12 @@ MUTANTS = [Mutant(*row) for row in [
      "((0.5 * (count - 1) - k) * pixel)", "((k - 0.5 * (count - 1)) * pixel)", VISIBILITY),
     ("visibility-shape", "a square pixel's factor of one side alone", "src/telescope/visibility.cpp",
      "sinc(pixel * baseline.u) * sinc(pixel * baseline.v)", "sinc(pixel * baseline.u)", VISIBILITY),
+    ("ring-area", "places about a curve whose area does not grow with their distance from its middle", "src/telescope/ring_chart.cpp",
+     "from_middle * core_ * std::cosh(s)", "mean_ * core_ * std::cosh(s)", RING_PARTS),
+    ("ring-shift", "places at the same distances at every angle", "src/telescope/ring_chart.cpp",
+     "angle * (2.0 - std::numbers::phi)", "angle * 2.0", RING_PARTS),
+    ("ring-change", "a half of the places taken for all of them", "src/telescope/light_points.cpp",
+     "even[plane] - odd[plane]", "even[plane] + odd[plane]", RING_PARTS),
     ("telescope-turn", "the Earth turning to the west", "src/telescope/observation.cpp",
      "{c * x - s * y, s * x + c * y, z}", "{c * x + s * y, c * y - s * x, z}", TELESCOPE),
     ("telescope-closure", "a triangle that does not close", "src/telescope/closure.cpp",

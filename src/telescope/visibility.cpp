@@ -32,16 +32,29 @@ double shape_factor(PixelShape shape, double pixel, Baseline baseline) {
     return shape == PixelShape::kSquare ? square : square * square;
 }
 
-std::complex<double> row_sum(const double* light, const Fringe& columns) {
+// Of all columns, and of the even less the odd ones.
+struct RowSum {
+    std::complex<double> all, change;
+};
+
+RowSum row_sum(const double* light, const Fringe& columns) {
     std::array<double, kLanes> real{}, imaginary{};
     for (std::size_t x = 0; x < columns.cosine.size(); x += kLanes)
         for (std::size_t k = 0; k < kLanes; ++k) {
             real[k] += light[x + k] * columns.cosine[x + k];
             imaginary[k] += light[x + k] * columns.sine[x + k];
         }
-    std::complex<double> sum;
-    for (std::size_t k = 0; k < kLanes; ++k) sum += std::complex<double>(real[k], imaginary[k]);
+    RowSum sum;
+    for (std::size_t k = 0; k < kLanes; ++k) {
+        const std::complex<double> lane(real[k], imaginary[k]);
+        sum.all += lane, sum.change += k % 2 == 0 ? lane : -lane;
+    }
     return sum;
+}
+
+// Written out: operator* looks for infinities.
+std::complex<double> product(std::complex<double> a, std::complex<double> b) {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
 }  // namespace
@@ -67,23 +80,25 @@ PictureVisibility::PictureVisibility(const SkyPicture& picture, PixelShape shape
             for (int x = 0; x < width_; ++x) row[x] = picture.flux.at(x, y)[plane];
 }
 
-Visibility PictureVisibility::at(Baseline baseline) const {
+VisibilitySum PictureVisibility::with_change(Baseline baseline) const {
     const auto rows = static_cast<std::size_t>(height_);
     const Fringe columns(baseline.u, pixel_, width_, padded_), up(baseline.v, pixel_, height_, rows);
     const double factor = shape_factor(shape_, pixel_, baseline);
-    Visibility found{};
+    VisibilitySum found;
     const double* light = light_.data();
     for (std::size_t plane = 0; plane < static_cast<std::size_t>(planes_); ++plane) {
-        std::complex<double> sum;
+        RowSum sum;
         for (std::size_t y = 0; y < rows; ++y, light += padded_) {
-            const std::complex<double> row = row_sum(light, columns);  // written out: operator* looks for infinities
-            sum += std::complex<double>(row.real() * up.cosine[y] - row.imag() * up.sine[y],
-                                        row.real() * up.sine[y] + row.imag() * up.cosine[y]);
+            const RowSum row = row_sum(light, columns);
+            const std::complex<double> turn(up.cosine[y], up.sine[y]);
+            sum.all += product(row.all, turn), sum.change += product(row.change, y % 2 == 0 ? turn : -turn);
         }
-        found[plane] = factor * sum;
+        found.all[plane] = factor * sum.all, found.change[plane] = factor * sum.change;
     }
     return found;
 }
+
+Visibility PictureVisibility::at(Baseline baseline) const { return with_change(baseline).all; }
 
 std::vector<Visibility> PictureVisibility::at(std::span<const Baseline> baselines) const {
     std::vector<Visibility> found(baselines.size());
