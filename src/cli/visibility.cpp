@@ -13,12 +13,14 @@
 #include "cli/visibility_request.h"
 #include "cli/visibility_tables.h"
 #include "command/arguments.h"
+#include "command/ring_parts.h"
 #include "command/shot.h"
 #include "command/sky_light.h"
 #include "observer/path.h"
 #include "scenefile/scene_keys.h"
 #include "telescope/first_minimum.h"
 #include "telescope/scattering.h"
+#include "telescope/sky_sum.h"
 
 namespace nullscope::cli {
 namespace {
@@ -27,7 +29,9 @@ namespace {
 struct SeenSky {
     SkyLight light;
     std::string title, drawn_by{};
-    std::optional<Scene> scene{};  // that was drawn
+    std::optional<Scene> scene{};        // that was drawn
+    std::optional<SkyParts> parts{};     // then its grid is `light`
+    std::optional<SkyPicture> coarse{};  // the same, drawn with half as many pixels a side
 };
 
 bool is_several(const Scene& scene) { return scene.split || scene.camera.stereo != Stereo::kOff; }
@@ -48,10 +52,35 @@ Result<Shot> visibility_shot(const VisibilityOptions& options) {
     return shot;
 }
 
-Result<SeenSky> drawn_sky(const VisibilityOptions& options, const Shot& shot) {
+double longest_of(const VisibilityRows& rows) {
+    double longest = 0;
+    for (const auto& [u, v] : rows.baselines) longest = std::max(longest, std::hypot(u, v));
+    return longest;
+}
+
+// What it is like with half as many pixels a side. Nothing: they are no whole number.
+Result<std::optional<SkyPicture>> drawn_coarser(const Shot& shot, Session* session, const Exposure& shown,
+                                                const DrawOptions& drawing) {
+    const CameraSpec& camera = shown.scene.camera;
+    if (camera.width % 2 != 0 || camera.height % 2 != 0) return std::optional<SkyPicture>();
+    const Exposure coarse = changed(shown, [](Scene scene) {
+        scene.camera.width /= 2, scene.camera.height /= 2;
+        return scene;
+    });
+    TRY(captured, draw_shot(shot, session, coarse, drawing, false));
+    TRY(light, sky_light(coarse.scene, *captured));
+    return std::optional(std::move(light->picture));
+}
+
+Result<SeenSky> drawn_sky(const VisibilityOptions& options, const Shot& shot, double longest) {
     DrawOptions drawing;
     drawing.stokes = true;
     const Exposure shown = exposure_in(shot, 0, 0);
+    std::optional<RingChart> chart;
+    if (options.rings) {
+        TRY(made, ring_chart(shown.scene, longest));
+        chart = std::move(*made);
+    }
     std::optional<Session> session;
     if (options.renderer == "gl") {
         TRY(method, chosen_method("auto", {}, shot.scene, drawing.listener));
@@ -62,9 +91,19 @@ Result<SeenSky> drawn_sky(const VisibilityOptions& options, const Shot& shot) {
     } else {
         drawing.samples = options.samples;
     }
-    TRY(captured, draw_shot(shot, session ? &*session : nullptr, shown, drawing, false));
+    Session* drawn_on = session ? &*session : nullptr;
+    TRY(captured, draw_shot(shot, drawn_on, shown, drawing, false));
+    if (chart) {
+        TRY(parts, sky_parts(shot, drawn_on, shown, drawing, *captured, *chart));
+        SeenSky seen{parts->grid, shown.scene.name, captured->made_by, shown.scene};
+        seen.parts = std::move(*parts);
+        return seen;
+    }
     TRY(light, sky_light(shown.scene, *captured));
-    return SeenSky{std::move(*light), shown.scene.name, captured->made_by, shown.scene};
+    SeenSky seen{std::move(*light), shown.scene.name, captured->made_by, shown.scene};
+    TRY(coarse, drawn_coarser(shot, drawn_on, shown, drawing));
+    seen.coarse = std::move(*coarse);
+    return seen;
 }
 
 // What is known of a scene's light before it is drawn. Error: it has no scale.
@@ -95,31 +134,32 @@ void add_noise(const VisibilityOptions& options, VisibilityRows& rows) {
 }
 
 // ", first minimum at 3.76 Gλ: 0.0012", of a line.
-std::string minimum_words(const PictureVisibility& picture, const VisibilityRows& rows) {
+std::string minimum_words(const SkySum& picture, const VisibilityRows& rows) {
     if (!rows.is_line) return "";
     std::vector<double> amplitudes;
     for (const Visibility& found : rows.found) amplitudes.push_back(std::abs(found[0]));
-    const auto least = first_minimum(picture, rows.baselines, amplitudes);
+    const auto least = first_minimum([&](Baseline b) { return std::abs(picture.at(b)[0]); }, rows.baselines, amplitudes);
     if (!least) return "";
     return fmt::format("; first minimum of |V| at {:.7g} Gλ: {:.3g}",
                        1e-9 * std::hypot(least->baseline.u, least->baseline.v), least->amplitude);
 }
 
-double longest_glambda(const VisibilityRows& rows) {
-    double longest = 0;
-    for (const auto& [u, v] : rows.baselines) longest = std::max(longest, std::hypot(u, v));
-    return 1e-9 * longest;
-}
-
-void say_limits(const SkyLight& light, const VisibilityRows& rows, const Listener& listener) {
-    if (!light.in_jansky) listener.note("the picture is not in Jy: visibilities are fractions of its whole light");
-    const double repeats = 0.5 / light.picture.pixel;
+// What the pixels do not hold. reach: reach_of().
+void say_limits(const SeenSky& sky, const VisibilityRows& rows, double reach, const Listener& listener) {
+    if (!sky.light.in_jansky) listener.note("the picture is not in Jy: visibilities are fractions of its whole light");
+    const double repeats = 0.5 / sky.light.picture.pixel;
+    const char* farther = sky.parts   ? "a larger --size of the same view reaches farther"
+                          : sky.scene ? "a larger --size of the same view reaches farther, --rings too"
+                                      : "a finer picture reaches farther";
     if (std::ranges::any_of(rows.baselines,
                             [&](Baseline b) { return std::max(std::fabs(b.u), std::fabs(b.v)) > repeats; }))
         listener.note(
-            fmt::format("baselines beyond {:.4g} Gλ, half a turn a pixel, see the pixels instead of the source: "
-                        "a larger --size of the same view reaches farther",
-                        1e-9 * repeats));
+            fmt::format("baselines beyond {:.4g} Gλ, half a turn a pixel, see the pixels instead of the source: {}",
+                        1e-9 * repeats, farther));
+    if (std::isfinite(reach))
+        listener.note(fmt::format(
+            "from {:.4g} Gλ on half of the {} would change V by more than {:g} % of what is left of it there: {}",
+            1e-9 * reach, sky.parts ? "pixels and rays" : "pixels", 100 * kReachShare, farther));
 }
 
 Status write_visibilities(const VisibilityOptions& options, const SeenSky& sky, const VisibilityRows& rows) {
@@ -135,15 +175,16 @@ Status write_visibilities(const VisibilityOptions& options, const SeenSky& sky, 
                        visibility_svg(sky.title, rows), origin);
 }
 
-void print_visibilities(const VisibilityOptions& options, const SeenSky& sky, const PictureVisibility& picture,
+void print_visibilities(const VisibilityOptions& options, const SeenSky& sky, const SkySum& picture,
                         const VisibilityRows& rows, double frequency_ghz) {
     fmt::print("{0}.csv, {0}.svg: {1} baselines up to {2:.4g} Gλ", options.output, rows.baselines.size(),
-               longest_glambda(rows));
+               1e-9 * longest_of(rows));
     if (rows.of_array())
         fmt::print(" of {} stations in {} scans at {:g} GHz", rows.stations.size(), rows.seen.scans.size(),
                    frequency_ghz);
     fmt::print("; {}x{} pixels ({}s) of {:.4g} µas", sky.light.picture.flux.width, sky.light.picture.flux.height,
                options.pixel, sky.light.picture.pixel * 180 / M_PI * 3600e6);
+    if (sky.parts) fmt::print(" and {}x{} rays along the critical curve", sky.parts->across, sky.parts->around);
     if (sky.light.in_jansky) fmt::print("; {:.4g} Jy in all", rows.whole);
     fmt::print("{}\n", minimum_words(picture, rows));
 }
@@ -151,20 +192,23 @@ void print_visibilities(const VisibilityOptions& options, const SeenSky& sky, co
 // Rows that are asked for, of a picture that there is.
 Result<int> measured(const VisibilityOptions& options, const SeenSky& sky, VisibilityRows rows, double frequency_ghz) {
     const auto shape = static_cast<PixelShape>(std::ranges::find(kPixelShapes, options.pixel) - kPixelShapes.begin());
-    const PictureVisibility picture(sky.light.picture, shape);
-    rows.found = picture.at(rows.baselines);
-    rows.whole = total_flux(sky.light.picture);
+    const SkySum picture{PictureVisibility(sky.light.picture, shape),
+                         sky.parts ? std::optional(sky.parts->band) : std::nullopt,
+                         sky.coarse ? std::optional(PictureVisibility(*sky.coarse, shape)) : std::nullopt};
+    const std::vector<VisibilitySum> sums = picture.with_change(rows.baselines);
+    for (const VisibilitySum& sum : sums) rows.found.push_back(sum.all);
+    rows.whole = total_flux(sky.light.picture) + (sky.parts ? sky.parts->band.whole() : 0.0);
     rows.in_jansky = sky.light.in_jansky, rows.polarised = sky.light.picture.flux.channels == 4;
     scatter(options, frequency_ghz, rows);
     add_noise(options, rows);
-    say_limits(sky.light, rows, Listener());
+    say_limits(sky, rows, reach_of(rows.baselines, sums), Listener());
     TRY(written, write_visibilities(options, sky, rows));
     print_visibilities(options, sky, picture, rows, frequency_ghz);
     return 0;
 }
 
 Result<int> run_on_image(const VisibilityOptions& options) {
-    for (const char* name : {"--size", "--time", "--renderer", "--samples", "--context"})
+    for (const char* name : {"--size", "--time", "--renderer", "--samples", "--context", "--rings"})
         if (options.given.has(name))
             return bad_input(fmt::format("{}: --image is a picture as it is", name), "with a scene");
     TRY(fits, load_fits(options.image));
@@ -180,12 +224,14 @@ Result<int> run_visibility(const VisibilityOptions& options) {
     if (options.scene.empty() == options.image.empty())
         return bad_input(options.scene.empty() ? "neither a scene nor --image" : "a scene and --image", "one of both");
     if (!options.image.empty()) return run_on_image(options);
+    if (options.rings && options.given.has("--pixel"))
+        return bad_input("--pixel: the rays of --rings are points, so are its pixels", "one of both");
     TRY(context, check_context(options.renderer, options.context));
     TRY(shot, visibility_shot(options));
     TRY(source, source_in(scene_at(*shot, 0, 0)));
     TRY(frequency, frequency_of(options, *source));
     TRY(rows, requested_rows(options, *source));
-    TRY(sky, drawn_sky(options, *shot));
+    TRY(sky, drawn_sky(options, *shot, longest_of(*rows)));
     return measured(options, *sky, std::move(*rows), *frequency);
 }
 
@@ -247,6 +293,9 @@ void add_visibility(Command& parent) {
                 "Blurs by interstellar matter: sgr-a, the Gaussian of Johnson et al. (2018)", {"none", "sgr-a"});
     text_option(command, "--pixel", options.pixel, "What stands for a pixel's light; ehtim's own is triangle",
                 {kPixelShapes.begin(), kPixelShapes.end()});
+    command.add_flag("--rings", &options.rings,
+                     "Rays in a band along the critical curve, denser towards it, beside the pixels: for baselines "
+                     "that see the photon ring");
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     number_option(command, "--time", options.time, times.low, times.high, "Scene time in r_s/c (default: the scene's)");
     renderer_option(command, options.renderer);

@@ -19,6 +19,7 @@ struct VisibilityOptions {
     std::optional<double> time, frequency_GHz;
     std::optional<int> samples, noise, mjd;
     int points = 500;
+    bool rings = false;
     double elevation_deg = 10, bandwidth_GHz = 2, integration_s = 60;
     GivenWords given;
 };

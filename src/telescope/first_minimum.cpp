@@ -1,15 +1,14 @@
 #include "telescope/first_minimum.h"
 
-#include <cmath>
 #include <numbers>
 
 namespace nullscope {
 namespace {
 
-Baseline least_between(const PictureVisibility& picture, Baseline from, Baseline to, int sections) {
+Baseline least_between(const std::function<double(Baseline)>& amplitude, Baseline from, Baseline to, int sections) {
     constexpr double kGolden = 1 / std::numbers::phi;
     const auto at = [&](double x) { return Baseline{from.u + x * (to.u - from.u), from.v + x * (to.v - from.v)}; };
-    const auto light = [&](double x) { return std::abs(picture.at(at(x))[0]); };
+    const auto light = [&](double x) { return amplitude(at(x)); };
     double low = 0, high = 1, a = 1 - kGolden, b = kGolden, at_a = light(a), at_b = light(b);
     for (int i = 0; i < sections; ++i) {
         if (at_a < at_b) {
@@ -23,12 +22,13 @@ Baseline least_between(const PictureVisibility& picture, Baseline from, Baseline
 
 }  // namespace
 
-std::optional<LeastVisibility> first_minimum(const PictureVisibility& picture, std::span<const Baseline> line,
-                                             std::span<const double> amplitudes, int sections) {
+std::optional<LeastVisibility> first_minimum(const std::function<double(Baseline)>& amplitude,
+                                             std::span<const Baseline> line, std::span<const double> amplitudes,
+                                             int sections) {
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
         if (!(amplitudes[i] < amplitudes[i - 1] && amplitudes[i] <= amplitudes[i + 1])) continue;
-        const Baseline least = least_between(picture, line[i - 1], line[i + 1], sections);
-        return LeastVisibility{least, std::abs(picture.at(least)[0])};
+        const Baseline least = least_between(amplitude, line[i - 1], line[i + 1], sections);
+        return LeastVisibility{least, amplitude(least)};
     }
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
 // Where |V| is least for the first time along a line of baselines: of a ring its null.
 #pragma once
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -12,9 +13,10 @@ struct LeastVisibility {
     double amplitude = 0;  // of I there, in the picture's unit
 };
 
-// line: baselines in equal steps on a straight line, amplitudes: |V| of each. About the first of them that is less than the one before it and no more
+// amplitude: |V| of any baseline. line: baselines in equal steps on a straight line, amplitudes: |V| of each. About the first of them that is less than the one before it and no more
 // than the one after it, by golden sections: `sections` of them leave 0.618^sections of two steps. Nothing where there is none.
-std::optional<LeastVisibility> first_minimum(const PictureVisibility& picture, std::span<const Baseline> line,
-                                             std::span<const double> amplitudes, int sections = 60);
+std::optional<LeastVisibility> first_minimum(const std::function<double(Baseline)>& amplitude,
+                                             std::span<const Baseline> line, std::span<const double> amplitudes,
+                                             int sections = 60);
 
 }  // namespace nullscope
