@@ -184,20 +184,23 @@ bool step_meets(SpinState from, SpinState to, float h) {
     return !above && !below && !closer;
 }
 
+#ifdef MARCH_LISTS
 #define MARCH_ARC 1.1   // a half of a step over its chord, at most
 
-// May a body be as near to the middle of the step as its ends are?
+// May a body be as near to the middle of the step as its ends are? Those that may be are listed.
 bool step_touches(SpinRay ray, SpinState from, SpinState to, float h) {
     SpinSegment segment = spin_segment(ray, from, to, h);
     RayPlace middle = segment_place(ray, segment, 0.5);
     vec3 before = middle.at - segment_place(ray, segment, 0.0).at;
     vec3 behind = segment_place(ray, segment, 1.0).at - middle.at;
     float half_length = MARCH_ARC * sqrt(max(dot(before, before), dot(behind, behind)));
-#ifdef MARCH_LISTS
     march_list(middle, half_length < march_farthest(middle) ? MARCH_LIST * max(half_length, frame.march.y) : 1.0e30);
-#endif
     return !(march_length(middle, march_ask(middle).y, frame.march.x) > max(half_length, frame.march.y));
 }
+#else
+// Of few bodies: to ask costs more than the searches that it saves.
+bool step_touches(SpinRay ray, SpinState from, SpinState to, float h) { return true; }
+#endif
 
 // The length of the way behind a step that no body is on, by its chord.
 float length_behind(SolidSearch search, SpinState from, SpinState to) {
