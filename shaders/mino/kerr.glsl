@@ -131,10 +131,17 @@ float spin_regular_drag(SpinRay ray, float zeta, float fine, float speed) {
     return -ray.a * (ray.energy + ray.k * zeta * zeta / max(spin_x(ray, zeta, fine) + speed, 1.0e-12));
 }
 
-// int a/Delta dr from zeta on to the sky.
+// int a/Delta dr from zeta on to the sky: a/(r_+ - r_-) log(above.y/above.x), by a series where the logarithm is small. Of nearly
+// extremal holes the factor is large.
 float spin_winding(SpinRay ray, float zeta, float fine) {
     vec2 above = spin_above(ray, zeta, fine);
-    return frame.spin_turn.y * log(max(above.y, 1.0e-12) / max(above.x, 1.0e-12));
+    float open = zeta / max(above.x, 1.0e-12);
+    float more = frame.spin_turn.w * open;
+    float s = more / (2.0 + more);
+    float z = s * s;
+    float by_series = ray.a * open * (2.0 / (2.0 + more)) * (1.0 + z * (1.0 / 3.0 + z * (0.2 + z * (1.0 / 7.0 + z * (1.0 / 9.0 + z * (1.0 / 11.0))))));
+    float by_log = frame.spin_turn.y * log(max(above.y, 1.0e-12) / max(above.x, 1.0e-12));
+    return more < 0.5 ? by_series : by_log;
 }
 
 #ifdef NEEDS_FINE_AZIMUTH
@@ -199,9 +206,8 @@ float spin_turning_at(SpinRay ray, SpinState at) { return spin_drag(ray, at.y.w,
 
 // r_*
 float spin_tortoise(SpinRay ray, float zeta, float fine) {
-    vec2 above = spin_above(ray, zeta, fine);
-    float split = frame.spin_turn.y / ray.a;   // 1/(r_+ - r_-)
-    return 1.0 / zeta - log(zeta) + split * ((ray.outer - frame.spin_turn.z) * log(max(above.x, 1.0e-7)) - (ray.inner - frame.spin_turn.z) * log(max(above.y, 1.0e-7)));
+    float above = max(spin_above(ray, zeta, fine).x, 1.0e-7);
+    return 1.0 / zeta - log(zeta) + log(above) - (ray.inner - frame.spin_turn.z) * (spin_winding(ray, zeta, fine) / ray.a);
 }
 
 bool travel_time_is_level(SpinRay ray, float zeta, float fine, float slope) {

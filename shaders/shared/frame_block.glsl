@@ -123,7 +123,7 @@ struct FrameData {
     vec4 spin_across;  // L/sin(theta) = x + y n_r + z n_phi; of L/sin(theta) - a E sin(theta) = w + (spin_climb.w) n_phi
     vec4 spin_climb;   // d zeta/d tau = x + y n_r + z n_phi
     vec4 spin_place;   // sin(theta), cos(theta) (exactly 0 in the equatorial plane), cos(phi), sin(phi)
-    vec4 spin_turn;    // ingoing azimuth less Boyer and Lindquist's at the camera (0 inside the horizon), a over the horizons' distance; (charge/2M)^2, 0
+    vec4 spin_turn;    // ingoing azimuth less Boyer and Lindquist's at the camera (0 inside the horizon), a over the horizons' distance; (charge/2M)^2, that distance
 #endif
 #ifdef BLOCK_SPIN_RING
     vec4 ring_peak;    // peak of the ray at (x, y) px (observer/spin_ring.h): x + y x + z y + w x^2

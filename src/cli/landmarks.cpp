@@ -22,7 +22,8 @@ struct LandmarksOptions {
 };
 
 struct NamedNumber {
-    const char *key, *unit, *words;
+    const char *key, *unit;
+    std::string words;
     std::optional<double> value;  // nothing: there is none
 };
 
@@ -32,17 +33,19 @@ std::vector<NamedNumber> numbers_of(const Spacetime& spacetime, const CameraSpec
     const auto degrees = [](std::optional<double> angle) {
         return angle ? std::optional(*angle * 180.0 / M_PI) : angle;
     };
-    const bool rotates = spacetime.rotates();  // else there are no two senses
+    std::string sense = "prograde ", other = "retrograde ";
+    if (!spacetime.rotates()) sense = other = "";  // there are no two
+    if (spacetime.a() < 0.0) sense = "towards growing phi, retrograde: ", other = "towards falling phi, prograde: ";
     const char* at = spacetime.by_proper_length() ? "r_s, l" : "r_s";
     const auto side = [&](std::size_t i) {
         return here.shadow_size ? std::optional((*here.shadow_size)[i]) : std::nullopt;
     };
     return {
         {"horizon", "r_s", "outer horizon", marks.horizon},
-        {"photon_orbit", at, rotates ? "prograde circular photon orbit" : "photon sphere", marks.photon_orbit},
-        {"retrograde_photon_orbit", "r_s", "retrograde circular photon orbit", marks.retrograde_photon_orbit},
-        {"isco", at, rotates ? "prograde ISCO" : "ISCO", marks.isco},
-        {"retrograde_isco", "r_s", "retrograde ISCO", marks.retrograde_isco},
+        {"photon_orbit", at, spacetime.rotates() ? sense + "circular photon orbit" : "photon sphere", marks.photon_orbit},
+        {"retrograde_photon_orbit", "r_s", other + "circular photon orbit", marks.retrograde_photon_orbit},
+        {"isco", at, sense + "ISCO", marks.isco},
+        {"retrograde_isco", "r_s", other + "ISCO", marks.retrograde_isco},
         {"critical_impact", "r_s", "critical impact parameter", marks.critical_impact},
         {"lapse", "", "dtau/dt of a local observer at rest (ZAMO) at the camera", here.lapse},
         {"clock_rate", "", "dtau/dt of the camera", here.clock_rate},

@@ -252,7 +252,8 @@ void add_spectrum(Command& parent) {
         "Scene file, or the name of a built-in scene, whose spacetime, disc radii and camera inclination "
         "are taken (default: a Schwarzschild hole)");
     text_option(command, "-o,--output", options.output, "Name of the files to write, without .csv and .svg");
-    number_option(command, "--spin", options.spin, 0, 0.9999, "Without a scene: a rotating hole, a/M");
+    number_option(command, "--spin", options.spin, -1, 1,
+                  "Without a scene: a rotating hole, a/M; below 0 the disc is retrograde");
     number_option(command, "--inclination", options.inclination_deg, 0, 180,
                   "Between the line of sight and the axis, degrees (default: the scene's camera.theta, or 30)");
     command.add_option(

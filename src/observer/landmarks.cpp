@@ -71,8 +71,8 @@ Landmarks landmarks_of(const Spacetime& spacetime) {
         found.photon_orbit = light_orbit(spacetime);
     if (spacetime.can_have_disc() && !spacetime.by_proper_length()) found.isco = innermost_stable_orbit(spacetime);
     if (spacetime.rotates() && found.horizon) {
-        found.retrograde_photon_orbit = light_orbit(spacetime, Sense::kRetrograde);
-        found.retrograde_isco = innermost_stable_orbit(spacetime, Sense::kRetrograde);
+        found.retrograde_photon_orbit = light_orbit(spacetime, Sense::kWestward);
+        found.retrograde_isco = innermost_stable_orbit(spacetime, Sense::kWestward);
     }
     return found;
 }

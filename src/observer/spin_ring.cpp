@@ -118,7 +118,7 @@ bool is_next_to_ring(const Spacetime& spacetime, const CameraSpec& camera, const
 }
 
 bool is_hard_ring(const Spacetime& spacetime, double camera_r) {
-    return 2.0 * spacetime.a() > kRingFastest || camera_r < *spacetime.horizon_radius() + kRingNearest;
+    return 2.0 * std::fabs(spacetime.a()) > kRingFastest || camera_r < *spacetime.horizon_radius() + kRingNearest;
 }
 
 std::optional<PeakForm> peak_form(const AxialMetric& metric, const CameraSpec& camera, const Observer& observer,

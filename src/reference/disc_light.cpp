@@ -17,19 +17,19 @@ namespace {
 
 // Values at a radius and at four on either side of it, and derivatives by r from them: of eighth order, some 1e-12 relative.
 constexpr int kBeside = 4;
-constexpr double kApart = 0.01;  // of r
+constexpr double kApart = 0.01, kApartOfWay = 1.0 / 16;  // of r; of the way to the horizon
 template <class Values>
 using Nearby = std::array<Values, 2 * kBeside + 1>;
 template <class Values, class Function>
-Nearby<Values> nearby(const Function& f, double r) {
+Nearby<Values> nearby(const Function& f, double r, double apart = kApart) {
     Nearby<Values> values;
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(r * (1 + (static_cast<int>(i) - kBeside) * kApart));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(r * (1 + (static_cast<int>(i) - kBeside) * apart));
     return values;
 }
 template <class Values>
-double derivative(const Nearby<Values>& values, double Values::*part, double r) {
+double derivative(const Nearby<Values>& values, double Values::*part, double r, double apart = kApart) {
     const auto d = [&](std::size_t n) { return values[kBeside + n].*part - values[kBeside - n].*part; };
-    return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / (kApart * r);
+    return (d(1) * 4.0 / 5 - d(2) / 5 + d(3) * 4.0 / 105 - d(4) / 280) / (apart * r);
 }
 
 // sigma T^4 = flux Mdot c^2 / r_s^2. Of a hole of one solar mass: Eddington's luminosity, and r_s in m.
@@ -121,14 +121,14 @@ DiscLight::DiscLight(const Metric& metric, const DiscSpec& disc, const LightSpec
     const double horizon = metric.horizon_radius().value_or(0.0);
     if (horizon == 0.0) return;
     // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
-    const auto slope = [&](double r) { return derivative(circles(r), &Circle::energy, r); };
+    const auto slope = [&](double r) { return derivative(circles(r), &Circle::energy, r, apart(r)); };
     double low = metric.within_last_circle(), high = metric.beyond_last_circle();
     const auto energy_or_more = [&](double r) {
         const double e = circle(r).energy;
         return std::isfinite(e) ? e : 2.0;
     };
     isco_ = boost::math::tools::brent_find_minima(energy_or_more, low, high, 26).first;
-    low = isco_ * (1 - 1e-3), high = isco_ * (1 + 1e-3);
+    low = std::max(isco_ * (1 - 1e-3), low), high = isco_ * (1 + 1e-3);
     for (int i = 0; i < 45; ++i) (slope(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
     isco_ = 0.5 * (low + high);
     high = std::min(5 * isco_, metric.beyond_last_circle());
@@ -178,15 +178,20 @@ DiscLight::Circle DiscLight::circle(double r) const {
     return c;
 }
 
+double DiscLight::apart(double r) const {
+    return std::min(kApart, kApartOfWay * (1 - metric_.horizon_radius().value_or(0.0) / r));
+}
+
 DiscLight::Circles DiscLight::circles(double r) const {
-    return nearby<Circle>([this](double at) { return circle(at); }, r);
+    return nearby<Circle>([this](double at) { return circle(at); }, r, apart(r));
 }
 
 DiscLight::Ring DiscLight::ring(double r) const {
     const Circles near = circles(r);
     const Circle& c = near[kBeside];
     const double gain = c.energy - c.omega * c.momentum;
-    return {gain * derivative(near, &Circle::momentum, r), gain, derivative(near, &Circle::omega, r)};
+    return {gain * derivative(near, &Circle::momentum, r, apart(r)), gain,
+            derivative(near, &Circle::omega, r, apart(r))};
 }
 
 double DiscLight::Ring::shed(double sum, double r) const { return -omega_slope * sum / (4 * M_PI * r * gain * gain); }

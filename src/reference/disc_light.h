@@ -57,6 +57,7 @@ private:
         double shed(double sum, double r) const;  // flux, by the integral of `gained` up to it
     };
     Circle circle(double r) const;
+    double apart(double r) const;  // of such, over r
     Circles circles(double r) const;
     Ring ring(double r) const;
     void tabulate_heat(double outer, double peak);

@@ -13,12 +13,12 @@ namespace nullscope::reference {
 struct KerrHole {
     double a, charge2;  // charge2 = (Q/2M)^2
 
-    // a/M and Q/M, whose squares add up to less than 1.
+    // a/M and Q/M, whose squares add up to 1 at most.
     KerrHole(double spin, double charge = 0) : a(0.5 * spin), charge2(0.25 * charge * charge) {}
 
     double twice_mass(double r) const { return 1 - charge2 / r; }              // 2 m(r)
     double mass_log_slope(double r) const { return charge2 / (r - charge2); }  // d ln m/d ln r
-    double horizons_apart() const { return std::sqrt((1 - 2 * a) * (1 + 2 * a) - 4 * charge2); }
+    double horizons_apart() const { return std::sqrt(std::fmax((1 - 2 * a) * (1 + 2 * a) - 4 * charge2, 0.0)); }
     double outer() const { return 0.5 * (1 + horizons_apart()); }
     double inner() const { return 0.5 * (1 - horizons_apart()); }
     double delta(double r) const { return (r - outer()) * (r - inner()); }
@@ -67,14 +67,13 @@ struct KerrChart : KerrHole {
     // What the azimuth of x + iy = (r + ia) sin(theta) e^{i phi~} is ahead of Boyer and Lindquist's, which it meets at
     // infinity.
     double ahead(double r) const { return std::atan2(a, r) + drag_ahead(r); }
-    double drag_ahead(double r) const {  // of phi~
-        const double root = horizons_apart();
-        return root > 0 ? a / root * std::log1p(-root / (r - inner())) : -a / (r - inner());
+    double drag_ahead(double r) const { return a * delta_ahead(r); }  // of phi~
+    double tortoise_ahead(double r) const {                           // r_* - r
+        return std::log(r) + std::log1p(-outer() / r) + horizon_area(inner()) * delta_ahead(r);
     }
-    double tortoise_ahead(double r) const {  // r_* - r
-        const double in = inner(), out = outer();
-        return std::log(r) +
-               (horizon_area(out) * std::log1p(-out / r) - horizon_area(in) * std::log1p(-in / r)) / horizons_apart();
+    double delta_ahead(double r) const {  // less the integral of dr/Delta from here on, also where both horizons are one
+        const double root = horizons_apart(), open = r - inner();
+        return root > 0 ? std::log1p(-root / open) / root : -1 / open;
     }
 };
 

@@ -134,7 +134,7 @@ void put_march(FrameData& frame, const FramePlan& plan, const BallPaths& paths) 
     frame.march = {reach(false), kMarchStep * thinnest, reach(true), fastest};
     const double unseen = unseen_radius(plan.scene, spacetime.horizon_radius());
     frame.march_shell = {with_margin(height) + beside(reaches[0]), std::max(least - beside(reaches[0]), 0.0),
-                         spacetime.planar_rays() ? 0.0 : std::min(least, light_orbit(spacetime)),
+                         spacetime.planar_rays() ? 0.0 : std::min(least, innermost_light_orbit(spacetime)),
                          moves && unseen > 0.0 ? unseen : -kNowhere};
 }
 

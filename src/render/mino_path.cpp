@@ -61,7 +61,7 @@ void MinoPath::write(const FramePlan& plan, FrameData& frame) const {
     frame.spin_climb = {forms.climb.constant, forms.climb.radial, forms.climb.around, forms.carter_slope};
     frame.spin_place = {std::sin(camera.theta), plane_height(camera.theta), std::cos(camera.phi), std::sin(camera.phi)};
     frame.spin_turn = {camera.r > outer ? metric_->azimuth_ahead(camera.r) : 0.0, a / (outer - inner),
-                       metric_->charge2(), 0};
+                       metric_->charge2(), outer - inner};
     if (plan.effects.contains(Effect::kSpinRing)) write_ring(plan, frame);
     if (plan.effects.contains(Effect::kSpinNear)) write_near(plan, frame);
     // r_* of the camera, or r where its clock is v - r: what T less r_* of a place is delayed by, and r (late_time()). From afar T is told less

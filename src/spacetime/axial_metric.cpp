@@ -3,12 +3,20 @@
 #include <cmath>
 
 namespace nullscope {
+namespace {
+
+double horizons_apart(double spin, double charge) {
+    const double square = (1.0 - spin) * (1.0 + spin) - charge * charge;
+    return std::fmax(std::sqrt(std::fmax(square, 0.0)), AxialMetric::kLeastApart);
+}
+
+}  // namespace
 
 AxialMetric::AxialMetric(std::string_view name, double spin, double charge)
     : name_(name),
       a_(0.5 * spin),
       charge2_(0.25 * charge * charge),
-      outer_(0.5 * (1.0 + std::sqrt((1.0 - spin) * (1.0 + spin) - charge * charge))),
+      outer_(0.5 * (1.0 + horizons_apart(spin, charge))),
       inner_((a_ * a_ + charge2_) / outer_) {}
 
 double AxialMetric::lapse_squared(double r) const {

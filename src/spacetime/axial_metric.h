@@ -3,8 +3,8 @@
 //     ds^2 = -(1 - 2 m r/Sigma) dt^2 - (4 m a r sin^2/Sigma) dt dphi + Sigma/Delta dr^2 + Sigma dtheta^2
 //            + (r^2 + a^2 + 2 m a^2 r sin^2/Sigma) sin^2 dphi^2.
 // charge2 = (Q/2M)^2 is 0 for Kerr (1963) and above 0 for Kerr and Newman (1965), whose charge light feels by the
-// metric alone. a: angular momentum per mass, r_s. Horizons: r_+- = (1 +- sqrt(1 - (a/M)^2 - (Q/M)^2))/2, the zeros of
-// Delta.
+// metric alone. a: angular momentum per mass, r_s; of either sign, and nothing is mirrored. Horizons:
+// r_+- = (1 +- sqrt(1 - (a/M)^2 - (Q/M)^2))/2, the zeros of Delta.
 //
 // No ray stays in a plane and there is no photon sphere; light is traced by shaders/mino/kerr.glsl. Who can hold a
 // camera: spin_frame.h.
@@ -15,9 +15,10 @@ namespace nullscope {
 
 class AxialMetric final : public Spacetime {
 public:
-    // Of (a/M)^2 + (Q/M)^2 where there is a charge: what spin alone has in kerr.
-    static constexpr double kMost = 0.9998;
-    // Of M: a/M in (0, 1), Q/M >= 0 with (a/M)^2 + (Q/M)^2 < 1.
+    static constexpr double kRounding = 1e-15;  // of (a/M)^2 + (Q/M)^2: as much above 1 is 1
+    // r_+ - r_- of extremal holes, r_s: a double root of Delta is drawn as two, which puts a^2 off by 2.5e-15.
+    static constexpr double kLeastApart = 1e-7;
+    // Of M: a/M in [-1, 1] and not 0, Q/M >= 0 with (a/M)^2 + (Q/M)^2 <= 1. Below 0 the hole turns towards falling phi.
     AxialMetric(std::string_view name, double spin_over_mass, double charge_over_mass);
     std::string_view name() const override { return name_; }
     const AxialMetric* axial() const override { return this; }

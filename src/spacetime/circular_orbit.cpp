@@ -26,7 +26,7 @@ std::optional<CircularOrbit> orbit_in(const Equator& e) {
 
 // phi counted in that sense.
 Equator seen_in(Sense sense, Equator e) {
-    if (sense == Sense::kRetrograde)
+    if (sense == Sense::kWestward)
         for (Equator::Components* of : {&e.g, &e.slope, &e.curvature}) of->tphi = -of->tphi;
     return e;
 }
@@ -87,6 +87,10 @@ double light_orbit(const Spacetime& spacetime, Sense sense) {
         return equator && orbit_in(seen_in(sense, *equator));
     };
     return 1.0 / divided(*spacetime.horizon_radius(), has_orbit)[1];
+}
+
+double innermost_light_orbit(const Spacetime& spacetime) {
+    return std::min(light_orbit(spacetime, Sense::kEastward), light_orbit(spacetime, Sense::kWestward));
 }
 
 std::optional<double> innermost_stable_orbit(const Spacetime& spacetime, Sense sense) {

@@ -1,6 +1,6 @@
 // Matter in the equatorial plane: circular geodesics, and inside the innermost stable one the fall that keeps its
-// constants. From the equatorial metric alone, the same for every spacetime; towards growing phi, which about a rotating
-// hole is the direction of its rotation.
+// constants. From the equatorial metric alone, the same for every spacetime; towards growing phi, which is the direction in which a
+// hole of a > 0 turns.
 //
 // Omega = (sqrt(g_tphi'^2 - g_tt' g_phiphi') - g_tphi')/g_phiphi', u^t = 1/sqrt(-g_tt - (2 g_tphi + g_phiphi Omega) Omega),
 // E = -u_t, L = u_phi (Bardeen, Press and Teukolsky 1972). With D = g_tphi^2 - g_tt g_phiphi and
@@ -32,15 +32,17 @@ bool has_circular_rate_numbers(const Spacetime& spacetime);
 // Omega^2 r^3 of a metric without rotation, 0 where it has no equator; negative where no matter can go round, being pulled outward.
 double circular_rate_scaled(const Spacetime& spacetime, double r);
 
-// Towards growing phi, or against it; the same without rotation.
-enum class Sense { kPrograde, kRetrograde };
+// Towards growing phi, or towards falling phi, whichever way a hole turns: where a is below 0 eastward orbits are the retrograde ones.
+// The same without rotation.
+enum class Sense { kEastward, kWestward };
 
 // Radius in r_s, a rounding inward, of light's own circular orbit, the innermost of all circular orbits of that sense:
 // light that is on its way in there does not turn any more. The spacetime must have an Equator and a horizon.
-double light_orbit(const Spacetime& spacetime, Sense sense = Sense::kPrograde);
+double light_orbit(const Spacetime& spacetime, Sense sense = Sense::kEastward);
+double innermost_light_orbit(const Spacetime& spacetime);  // of either sense
 
 // Radius in r_s of the innermost stable circular orbit; nothing where light runs straight, or no orbit is stable.
-std::optional<double> innermost_stable_orbit(const Spacetime& spacetime, Sense sense = Sense::kPrograde);
+std::optional<double> innermost_stable_orbit(const Spacetime& spacetime, Sense sense = Sense::kEastward);
 
 // Radius in r_s, a rounding inward, beyond which a cosmological constant pulls matter outward; kAnyRadius where none does.
 double outermost_circular_orbit(const Spacetime& spacetime);

@@ -108,12 +108,12 @@ Result<PhotonOrbit> photon_orbit_at(const AxialMetric& metric, double r) {
     const double x = r - metric.outer_horizon(), root = shell.root_delta(x);
     // cos(psi) at the equator is twist/around.
     const double twist = r * shell.slope(x) - 4.0 * root * root, around = 4.0 * shell.a * root;
-    if (!(x > 0.0 && std::fabs(twist) <= around + 10.0 * kRounding * r)) {
+    if (!(x > 0.0 && std::fabs(twist) <= std::fabs(around) + 10.0 * kRounding * r)) {
         const auto first = photon_orbit(metric, 0.5 * M_PI, 0.0), last = photon_orbit(metric, 0.5 * M_PI, M_PI);
         return bad_input(fmt::format("{}: no photon orbit at r = {}", metric.name(), r),
                          fmt::format("[{}, {}]", first ? first->r : metric.outer_horizon(), last->r));
     }
-    const double cos_psi = around > 0.0 ? std::clamp(twist / around, -1.0, 1.0) : 0.0;
+    const double cos_psi = around != 0.0 ? std::clamp(twist / around, -1.0, 1.0) : 0.0;
     return orbit_of(shell, x, 1.0, 0.0, cos_psi, (1.0 - cos_psi) * (1.0 + cos_psi));
 }
 

@@ -43,9 +43,9 @@ Made rotating_charged(const Numbers& of) {
 
 Status check_rotating_charged(const Numbers& of) {
     const double spin = of.at("spin"), charge = of.at("charge");
-    if (spin * spin + charge * charge <= AxialMetric::kMost) return Done{};
-    return bad_key("spin", fmt::format("{} with charge = {}: there is no horizon, or next to none", spin, charge),
-                   fmt::format("spin^2 + charge^2 <= {}", AxialMetric::kMost));
+    if ((1.0 - spin) * (1.0 + spin) - charge * charge >= -AxialMetric::kRounding) return Done{};
+    return bad_key("spin", fmt::format("{} with charge = {}: there is no horizon", spin, charge),
+                   "spin^2 + charge^2 <= 1");
 }
 
 const MetricParameter* find_parameter(const MetricEntry& entry, std::string_view name) {
@@ -97,11 +97,11 @@ std::span<const MetricEntry> metric_registry() {
            "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole; above there is no horizon, and above 1.06066 no "
            "photon sphere."}},
          charged},
-        {"kerr", "A rotating black hole.", {{"spin", 0.9, 0.0, 0.9999, "Spin a/M: 0 is Schwarzschild."}}, rotating},
+        {"kerr", "A rotating black hole.", {{"spin", 0.9, -1.0, 1.0, "Spin a/M, below 0 about -z: 0 is Schwarzschild."}}, rotating},
         {"kerr-newman",
          "A rotating black hole with electric charge.",
-         {{"spin", 0.6, 0.0, 0.9999, "Spin a/M: 0 is Reissner-Nordstrom."},
-          {"charge", 0.6, 0.0, 0.9999, "Charge Q/M: 0 is Kerr. spin^2 + charge^2 stays below 1."}},
+         {{"spin", 0.6, -1.0, 1.0, "Spin a/M, below 0 about -z: 0 is Reissner-Nordstrom."},
+          {"charge", 0.6, 0.0, 1.0, "Charge Q/M: 0 is Kerr. spin^2 + charge^2 is at most 1."}},
          rotating_charged,
          check_rotating_charged},
         {"neutron-star",

@@ -24,10 +24,11 @@ Ring ring_at(const Spacetime& spacetime, double r) {
     return {r, orbit.omega, orbit.energy - orbit.omega * orbit.momentum, orbit.momentum};
 }
 
-// Derivative by r of a smooth function of ln r: six points, error h^6.
+// Derivative by r of a function that is smooth on the scale of r and of the way to the horizon: six points, error h^6.
 template <class Function>
-double slope(Function f, double r) {
-    constexpr double h = 4e-3;
+double slope(const Spacetime& spacetime, Function f, double r) {
+    constexpr double kStep = 4e-3, kOfWay = 0.05;
+    const double h = std::min(kStep, kOfWay * (1.0 - spacetime.horizon_radius().value_or(0.0) / r));
     const auto at = [&](int n) { return f(r * std::exp(n * h)); };
     return (45.0 * (at(1) - at(-1)) - 9.0 * (at(2) - at(-2)) + (at(3) - at(-3))) / (60.0 * h * r);
 }
@@ -35,7 +36,7 @@ double slope(Function f, double r) {
 // Of (E - Omega L) L' dr between two radii: eight points of Gauss.
 double gained_between(const Spacetime& spacetime, double a, double b) {
     return gauss_rule(kEightNode, kEightWeight, a, b, [&](double r) {
-        return ring_at(spacetime, r).gain * slope([&](double at) { return ring_at(spacetime, at).momentum; }, r);
+        return ring_at(spacetime, r).gain * slope(spacetime, [&](double at) { return ring_at(spacetime, at).momentum; }, r);
     });
 }
 
@@ -48,17 +49,18 @@ std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<doub
     std::vector<std::size_t> order(radii.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return radii[a] < radii[b]; });
+    const double horizon = spacetime.horizon_radius().value_or(0.0);
     double from = *isco, gained = 0.0;
     for (const std::size_t i : order) {
         const double r = radii[i];
         if (r <= *isco) continue;
-        while (from < r) {  // pieces of at most a tenth of r
-            const double to = std::min(r, 1.1 * from);
+        while (from < r) {  // pieces of at most a tenth of r, and half of the way to the horizon
+            const double to = std::min(r, from + std::min(0.1 * from, 0.5 * (from - horizon)));
             gained += gained_between(spacetime, from, to);
             from = to;
         }
         const Ring ring = ring_at(spacetime, r);
-        const double omega_slope = slope([&](double at) { return ring_at(spacetime, at).omega; }, r);
+        const double omega_slope = slope(spacetime, [&](double at) { return ring_at(spacetime, at).omega; }, r);
         flux[i] = std::max(-omega_slope * gained / (4.0 * M_PI * r * ring.gain * ring.gain), 0.0);
     }
     return flux;

@@ -106,14 +106,12 @@ bool numbers_section(ViewState& view, const FrameFacts& facts) {
         if (r) number(name, length_words(*r, style, 5), help);
     };
     radius("Horizon", marks.horizon, "Nothing comes back from inside it. About a rotating hole: the outer one.");
-    const bool rotates = spacetime->rotates();
-    radius("Photon orbit", marks.photon_orbit,
-           rotates ? "Prograde circular photon orbit in the equatorial plane." : "Circular photon orbit.");
-    radius("retrograde", marks.retrograde_photon_orbit, "Retrograde circular photon orbit.");
-    radius(
-        "ISCO", marks.isco,
-        rotates ? "Prograde innermost stable circular orbit of matter." : "Innermost stable circular orbit of matter.");
-    radius("retrograde", marks.retrograde_isco, "Retrograde innermost stable circular orbit of matter.");
+    const char* other = spacetime->a() < 0.0 ? "prograde" : "retrograde";
+    radius("Photon orbit", marks.photon_orbit, "Circular photon orbit; about a rotating hole towards growing azimuth.");
+    radius(other, marks.retrograde_photon_orbit, "Circular photon orbit towards falling azimuth.");
+    radius("ISCO", marks.isco,
+           "Innermost stable circular orbit of matter; about a rotating hole towards growing azimuth.");
+    radius(other, marks.retrograde_isco, "Innermost stable circular orbit of matter towards falling azimuth.");
     if (scene.light.lensing)
         radius(
             "Critical b", marks.critical_impact,
