@@ -29,7 +29,7 @@
 // Omega of circular orbits at 1/zeta, as object/disc_orbit.glsl.
 float gas_rate(float zeta) {
     float w = sqrt(max(zeta * zeta * zeta * (GAS_RATE - GAS_RATE_CHARGE * zeta), 0.0));
-    return w / (1.0 + path_spin() * w);
+    return GAS_SENSE * w / (1.0 + GAS_SENSE * path_spin() * w);
 }
 
 #ifdef EFFECT_MEDIUM_MOTION

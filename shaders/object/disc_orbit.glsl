@@ -23,11 +23,12 @@ vec2 disc_rate(float zeta) {
 vec2 disc_rate(float zeta) { return vec2(frame.disc_winding.z, 0.0) - frame.disc_winding.w * zeta; }
 #endif
 
-// Omega of circular orbits and its slope by zeta = 1/r. Omega = w/(1 + a w), w^2 = zeta^3 P: about a rotating hole with its rotation.
+// Omega of circular orbits and its slope by zeta = 1/r. Omega = s w/(1 + s a w), w^2 = zeta^3 P, s = 1 or -1: towards growing phi or falling phi.
 vec2 disc_orbit(float zeta) {
     vec2 p = disc_rate(zeta);
     float w = sqrt(max(zeta * zeta * zeta * p.x, 0.0));
     float w_slope = 0.5 * zeta * zeta * (3.0 * p.x + p.y) / max(w, 1.0e-20);
-    float dragged = 1.0 / (1.0 + path_spin() * w);
-    return vec2(w, w_slope * dragged) * dragged;
+    float sense = frame.disc_copy.y;
+    float dragged = 1.0 / (1.0 + sense * path_spin() * w);
+    return vec2(w, w_slope * dragged) * (sense * dragged);
 }

@@ -103,7 +103,7 @@ struct FrameData {
 #endif
 #ifdef BLOCK_DISC_FLOW
     vec4 disc_winding; // scene time over the life of a copy, less its whole part; 1/life; Omega^2 = zeta^3 (z - w zeta)
-    vec4 disc_copy;    // that whole part, modulo 4096; 0, 0, 0
+    vec4 disc_copy;    // that whole part, modulo 4096; sense of the flow, 1 or -1 (object/disc_orbit.glsl); 0, 0
 #endif
 #ifdef BLOCK_RING_RATES
     vec4 disc_rate_span;   // of ln r: middle of the disc, 1 over half its width; 0, 0

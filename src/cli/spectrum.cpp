@@ -15,6 +15,7 @@
 #include "cli/spectrum_plot.h"
 #include "cli/table_file.h"
 #include "command/options.h"
+#include "scene/orbit_sense.h"
 #include "scenefile/scene_file.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
@@ -44,6 +45,7 @@ struct Source {
     std::string name;  // the scene's, and the metric with its parameters
     std::shared_ptr<const Spacetime> spacetime;
     double inclination = 0, inner = 0, outer = 0, isco = 0;
+    Sense sense = Sense::kEastward;
     std::optional<double> power{};  // q; nothing: thermal
     Scene scene{};
     bool from_below() const { return inclination_deg > 90.0; }
@@ -121,7 +123,8 @@ Result<Source> source_of(const SpectrumOptions& options) {
                              fmt::format("q of r^-q from {:g} to {:g}, or thermal", -kSteepest, kSteepest));
     }
     TRY(light, DistantLight::make(*spacetime, source.inclination));  // which has an innermost stable orbit then
-    source.isco = *innermost_stable_orbit(**spacetime);
+    if (scene.disc) source.sense = sense_about(**spacetime, scene.disc->sense);
+    source.isco = *innermost_stable_orbit(**spacetime, source.sense);
     TRY(rims, set_rims(source, options, scene.disc));
     source.scene = std::move(scene);
     return source;
@@ -129,9 +132,10 @@ Result<Source> source_of(const SpectrumOptions& options) {
 
 DiscLine line_profile_of(const Source& source, const SpectrumOptions& options) {
     DiscLine line{source.inner, source.outer, {}};
+    line.sense = source.sense;
     line.limb = options.limb == "laor" ? Limb::kLaor : options.limb == "haardt" ? Limb::kHaardt : Limb::kIsotropic;
     line.emissivity = [&source](const std::vector<double>& radii) {
-        if (!source.power) return disc_flux(*source.spacetime, radii);
+        if (!source.power) return disc_flux(*source.spacetime, radii, source.sense);
         std::vector<double> values;
         values.reserve(radii.size());
         for (const double r : radii) values.push_back(std::pow(r, -*source.power));
@@ -143,7 +147,7 @@ DiscLine line_profile_of(const Source& source, const SpectrumOptions& options) {
     if (source.from_below())
         field.z = -field.z;  // in the mirror of the disc's plane, whose vectors of fields are turned
     const auto seen = std::make_shared<const DistantPolarisation>(source.spacetime, source.inclination, field,
-                                                                  polarised_fraction(spec));
+                                                                  polarised_fraction(spec), source.sense);
     line.polarisation = [seen, up = source.from_below() ? -1.0 : 1.0](double r) -> LinePolarisation {
         return [of_ring = seen->ring(r), up](const LinePhoton& p) {
             const std::complex<double> linear = of_ring({p.alpha, p.beta, p.lambda, p.eta, p.slope});
@@ -157,7 +161,8 @@ std::string bin_words(const Source& source, const SpectrumOptions& options) {
     const std::string place = options.ring
                                   ? fmt::format("ring at {:.10g} r_s", source.inner)
                                   : fmt::format("disc from {:.10g} to {:.10g} r_s", source.inner, source.outer);
-    return fmt::format("{}, inclination {:g} degrees, emissivity {}, limb {}", place, source.inclination / kOneDegree,
+    return fmt::format("{}{}, inclination {:g} degrees, emissivity {}, limb {}", place,
+                       source.sense == Sense::kWestward ? ", westward" : "", source.inclination / kOneDegree,
                        source.power ? fmt::format("r^{:g}", -*source.power + 0.0) : "thermal", options.limb);
 }
 

@@ -16,6 +16,7 @@
 #include "observer/ball_motion.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
+#include "scene/orbit_sense.h"
 #include "sky/sky.h"
 #include "spacetime/circular_orbit.h"
 
@@ -64,7 +65,7 @@ public:
 private:
     Vec3 on_disc(Vec3 place, double time) const {
         if (scene_.disc->flow == DiscFlowKind::kStill) return place;
-        const auto orbit = circular_orbit(spacetime_, std::hypot(place.x, place.y));
+        const auto orbit = circular_orbit(spacetime_, std::hypot(place.x, place.y), sense_about(spacetime_, scene_.disc->sense));
         const double turned = orbit ? orbit->omega * time : 0.0, c = std::cos(turned), s = std::sin(turned);
         return {c * place.x - s * place.y, s * place.x + c * place.y, 0.0};
     }

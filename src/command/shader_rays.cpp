@@ -11,6 +11,7 @@
 #include "observer/spin_ring.h"
 #include "reference/ray_plane.h"
 #include "render/listed_start.h"
+#include "scene/orbit_sense.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope::cli {
@@ -316,6 +317,7 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
     Scene drawn = scene;
     const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
     if (!opaque) drawn.disc.reset();  // it ends no ray
+    const Sense sense = scene.disc ? sense_about(spacetime, scene.disc->sense) : Sense::kEastward;
     const int crossings = plane ? std::min(run.crossings, kMostCrossings) : 0;
     const double shifts_beyond = run.shifts ? spacetime.horizon_radius().value_or(0.0) : INFINITY;
     const bool places = std::ranges::any_of(jobs, [](const Job& job) { return job.at_angle.has_value(); });
@@ -323,7 +325,7 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
         const auto end = std::ranges::upper_bound(rest, rest.front(), before);
         const auto now = rest.first(static_cast<std::size_t>(end - rest.begin()));
         TRY(ready, lister->prepare(view_along(drawn, now.front().start), crossings > 0 || places));
-        const ListedStart start(lister->tables());
+        const ListedStart start(lister->tables(), sense);
         const Common common{start,         crossings,
                             planes,        spacetime.knows_light_time(),
                             shifts_beyond, run.polarised ? &scene.disc->polarisation : nullptr};

@@ -11,6 +11,7 @@
 
 #include "expr/formula.h"
 #include "numeric/dormand_prince.h"
+#include "scene/orbit_sense.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/spherical_metric.h"
 
@@ -139,7 +140,7 @@ Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& bal
             return bad_key("position",
                            fmt::format("no circular orbit at z = {} about a rotating hole", ball.position.z),
                            "z = 0, in the equatorial plane");
-        const auto orbit = circular_orbit(spacetime, r);
+        const auto orbit = circular_orbit(spacetime, r, sense_about(spacetime, ball.sense));
         if (!orbit)
             return bad_key("position", fmt::format("no circular orbit at {} from the centre", r),
                            "outside the photon sphere");

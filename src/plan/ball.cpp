@@ -25,9 +25,12 @@ std::vector<SceneKey> ball_keys() {
          "the camera is not seen from inside.",
          [](auto& s) { return &last_body<BallSpec>(s).radius; }},
         {"ball", "motion", KeyType::kChoice, "", "still", kNoRange, "still orbit geodesic path",
-         "How its centre moves: not; eastward on the circular geodesic through position; in free fall from position; "
+         "How its centre moves: not; on the circular geodesic through position; in free fall from position; "
          "or by formulas of t.",
          [](auto& s) { return &last_body<BallSpec>(s).motion; }},
+        {"ball", "sense", KeyType::kChoice, "", "eastward", kNoRange, kOrbitSenses,
+         "Which way it goes round, as disc.sense; needs motion = \"orbit\".",
+         [](auto& s) { return &last_body<BallSpec>(s).sense; }, moves<BallMotion::kOrbit>, "motion = \"orbit\""},
         {"ball", "velocity", KeyType::kVelocity, "c", "[0, 0, 0]", kNoRange, "",
          "Velocity at position and t = 0, along (e_r, e_theta, e_phi) of an observer at rest there; needs motion = "
          "\"geodesic\".",

@@ -6,6 +6,7 @@
 
 #include "plan/medium.h"
 #include "plan/medium_model.h"
+#include "scene/orbit_sense.h"
 #include "spacetime/circular_orbit.h"
 
 namespace nullscope {
@@ -47,11 +48,14 @@ std::vector<SceneKey> medium_gas_keys() {
         {"medium", "flow", KeyType::kChoice, "", "still", kNoRange, "still kepler",
          "Motion of the clumps: none, or with the gas, each ring at its own orbital speed. Needs kind = \"gas\".",
          [](auto& s) { return &s.medium->gas.flow; }, medium_is_gas, kGas},
+        {"medium", "sense", KeyType::kChoice, "", "eastward", kNoRange, kOrbitSenses,
+         "Which way the gas goes round, as disc.sense. Needs kind = \"gas\".",
+         [](auto& s) { return &s.medium->gas.sense; }, medium_is_gas, kGas},
     };
 }
 
 void gas_faults(const Spacetime& spacetime, const Scene& scene, std::vector<SceneFault>& faults) {
-    if (spacetime.bends_light() && !circular_orbit(spacetime, scene.medium->inner))
+    if (spacetime.bends_light() && !circular_orbit(spacetime, scene.medium->inner, sense_about(spacetime, scene.medium->gas.sense)))
         faults.push_back({"medium.inner", fmt::format("no circular orbit at {}", scene.medium->inner),
                           "a radius outside the photon sphere"});
 }
@@ -70,6 +74,7 @@ double opacity_in_plane(const MediumSpec& m) { return m.gas.optical_depth / (std
 std::vector<double> gas_values(const MediumFrame& f) {
     const MediumSpec& m = f.medium();
     const auto [first, second] = circular_rate_numbers(*f.plan.matter);
+    const double sense = sign_of(sense_about(*f.plan.matter, m.gas.sense));
     return {m.inner,
             m.outer,
             m.gas.thickness,
@@ -77,10 +82,11 @@ std::vector<double> gas_values(const MediumFrame& f) {
             1.0 / m.edge,
             1.0 / std::hypot(1.0, kGasHeights * m.gas.thickness),
             m.gas.clumps.contrast,
-            m.gas.clumps.winding / (2.0 * M_PI),
+            sense * m.gas.clumps.winding / (2.0 * M_PI),
             m.gas.flow == DiscFlowKind::kKepler ? late_time(f.plan) : 0.0,
             first,
-            second};
+            second,
+            sense};
 }
 
 }  // namespace
@@ -110,7 +116,7 @@ const MediumModel kGasModel{
     .faults = gas_faults,
     .numbers =
         "GAS_INNER GAS_OUTER GAS_THICKNESS GAS_HEAT GAS_RIM GAS_SURFACE GAS_CONTRAST GAS_WINDING GAS_TIME "
-        "GAS_RATE GAS_RATE_CHARGE",
+        "GAS_RATE GAS_RATE_CHARGE GAS_SENSE",
     .values = gas_values,
     .before =
         [](Scene& s) {

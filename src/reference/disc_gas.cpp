@@ -13,7 +13,7 @@ constexpr int kOctaves = 9;
 }  // namespace
 
 GasFactors gas_at(const DiscSpec& disc, double r, double azimuth, double t, double whole,
-                  const std::function<double(double r)>& rate) {
+                  const std::function<double(double r)>& rate, double sense) {
     const double depth = std::log(r);
     double moved = depth;
     GasFactors gas;
@@ -22,7 +22,7 @@ GasFactors gas_at(const DiscSpec& disc, double r, double azimuth, double t, doub
                      ring = std::floor(row);
         const auto noise_of = [&](double number) {
             const double middle = (number - first) * distance, angle = azimuth - disc.rotation +
-                                                                       disc.gas.winding * (depth - middle) -
+                                                                       sense * disc.gas.winding * (depth - middle) -
                                                                        (rate ? rate(std::exp(middle)) * t : 0.0);
             return NoiseRing(static_cast<long long>(number), static_cast<unsigned>(octave)).noise(angle / (2 * M_PI));
         };

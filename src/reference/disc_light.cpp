@@ -112,7 +112,7 @@ double scattered_fraction(double cosine) {
 }
 
 DiscLight::DiscLight(const Metric& metric, const DiscSpec& disc, const LightSpec& light)
-    : metric_(metric), disc_(disc), light_(light) {
+    : metric_(metric), disc_(disc), light_(light), sense_(metric.sense(disc.sense)) {
     const auto hottest_is = [&](double temperature_K) {
         disc_.temperature_K = temperature_K;
         luminance_ = std::exp2(log2_brightness(temperature_K, light.bolometric));
@@ -171,7 +171,7 @@ DiscLight::Circle DiscLight::circle(double r) const {
     const double tt = derivative(near, &EquatorialMetric::g_tt, r), tp = derivative(near, &EquatorialMetric::g_tphi, r),
                  pp = derivative(near, &EquatorialMetric::g_phiphi, r);
     Circle c;
-    c.omega = (std::sqrt(std::max(tp * tp - tt * pp, 0.0)) - tp) / pp;
+    c.omega = (sense_ * std::sqrt(std::max(tp * tp - tt * pp, 0.0)) - tp) / pp;
     c.u_t = 1 / std::sqrt(-g.g_tt - c.omega * (2 * g.g_tphi + g.g_phiphi * c.omega));
     c.energy = -(g.g_tt + g.g_tphi * c.omega) * c.u_t;
     c.momentum = (g.g_tphi + g.g_phiphi * c.omega) * c.u_t;

@@ -67,6 +67,7 @@ private:
     const Metric& metric_;
     DiscSpec disc_;
     LightSpec light_;
+    double sense_;
     double isco_ = 0, hottest_ = 0, luminance_ = 1;
     std::vector<double> heat_;  // flux over the largest, at equal steps of ln(r/isco)
     double step_ = 1;

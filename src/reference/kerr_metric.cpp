@@ -139,6 +139,7 @@ class KerrMetric final : public Metric {
 public:
     explicit KerrMetric(const KerrHole& hole) : hole_(hole) {}
     std::optional<double> horizon_radius() const override { return hole_.outer(); }
+    bool turns_westward() const override { return hole_.a < 0; }
     EquatorialMetric equator(double r) const override {
         const double a = hole_.a, mass = hole_.twice_mass(r);
         return {-(1 - mass / r), -a * mass / r, hole_.g_phiphi(r), r * r / (r * r - mass * r + a * a)};

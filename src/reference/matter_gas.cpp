@@ -34,7 +34,7 @@ public:
                                clumps(rho, heights, std::atan2(node.direction.y, node.direction.x), age);
         const double temperature = spec_.temperature_K * std::sqrt(spec_.inner / rho * std::sqrt(spec_.inner / rho));
         const double opaque = spec_.gas.optical_depth / (std::sqrt(2 * M_PI) * spec_.gas.thickness * rho);
-        return MatterState{density * opaque, temperature, 0, {}, velocity_at_rate(g, metric_.kepler_rate(rho))};
+        return MatterState{density * opaque, temperature, 0, {}, velocity_at_rate(g, metric_.kepler_rate(rho, sense_))};
     }
 
 private:
@@ -49,8 +49,8 @@ private:
                          ring = std::floor(row), lean = sign * 0.35 / 8 * flatter * heights;
             const auto noise_of = [&](double number) {
                 const double middle = (number - first) * ring_step,
-                             went = age != 0 ? metric_.kepler_rate(std::exp(middle)) * age : 0.0,
-                             turns = (azimuth + spec_.gas.clumps.winding * (x - middle) - went) / (2 * M_PI);
+                             went = age != 0 ? metric_.kepler_rate(std::exp(middle), sense_) * age : 0.0,
+                             turns = (azimuth + sense_ * spec_.gas.clumps.winding * (x - middle) - went) / (2 * M_PI);
                 return NoiseRing(static_cast<long long>(number), static_cast<unsigned>(octave)).noise(turns + lean);
             };
             const double n = NoiseRing::blend(noise_of(ring), noise_of(ring + 1), row - ring), c = contrast;
@@ -60,6 +60,7 @@ private:
         }
         return density;
     }
+    double sense_ = metric_.sense(spec_.gas.sense);
 };
 
 }  // namespace

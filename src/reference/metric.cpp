@@ -33,7 +33,12 @@ constexpr std::array kMetrics{
 
 }  // namespace
 
-double Metric::kepler_rate(double r) const {
+double Metric::sense(OrbitSense of) const {
+    if (of == OrbitSense::kEastward || of == OrbitSense::kWestward) return of == OrbitSense::kEastward ? 1 : -1;
+    return (of == OrbitSense::kPrograde) != turns_westward() ? 1 : -1;
+}
+
+double Metric::kepler_rate(double r, double sense) const {
     const double h = 1e-3 * r;  // fourth order
     const auto slope = [&](double EquatorialMetric::*part) {
         const auto d = [&](double by) { return equator(r + by).*part - equator(r - by).*part; };
@@ -41,7 +46,7 @@ double Metric::kepler_rate(double r) const {
     };
     const double tt = slope(&EquatorialMetric::g_tt), tp = slope(&EquatorialMetric::g_tphi),
                  pp = slope(&EquatorialMetric::g_phiphi);
-    return (std::sqrt(std::fmax(tp * tp - tt * pp, 0)) - tp) / pp;
+    return (sense * std::sqrt(std::fmax(tp * tp - tt * pp, 0)) - tp) / pp;
 }
 
 Result<std::unique_ptr<Metric>> make_metric(const SpacetimeSpec& spec) {

@@ -37,8 +37,11 @@ public:
         return {g.g_tt, 0, g.g_phiphi * sine * sine, g.g_rr, r * r};
     }
     virtual std::optional<double> horizon_radius() const { return {}; }  // of the outer horizon, r_s
-    // Omega of the circular geodesic at r, with the rotation: g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.
-    virtual double kepler_rate(double r) const;
+    // Omega of the circular geodesic at r, sense 1 towards growing phi and -1 towards falling phi:
+    // g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.
+    virtual double kepler_rate(double r, double sense = 1) const;
+    virtual bool turns_westward() const { return false; }  // does the hole rotate towards falling phi?
+    double sense(OrbitSense of) const;                     // 1 or -1
     // A radius within the last stable circle, r_s, where the search for that begins.
     virtual double within_last_circle() const = 0;
     // And one up to which the energy of circles grows from there on, where the search ends.

@@ -71,7 +71,9 @@ public:
         const double l = lapse(r);
         return {-l * l, 0, r * r, 1 / (l * l)};
     }
-    double kepler_rate(double r) const override { return std::sqrt(std::fmax(lapse2_slope(r), 0) / (2 * r)); }
+    double kepler_rate(double r, double sense) const override {
+        return sense * std::sqrt(std::fmax(lapse2_slope(r), 0) / (2 * r));
+    }
     double within_last_circle() const override { return 1.75 * horizon_radius().value_or(0.0); }  // outside light's
     double rest_lapse(double r) const override { return lapse(r); }
     const OrbitMetric* orbits() const final { return this; }

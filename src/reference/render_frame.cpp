@@ -49,8 +49,11 @@ Paint disc_pattern(const DiscSpec& disc, const Image<float>* image, double x, do
 Paint gas_paint(const Metric& matter, const Scene& scene, const DiscHit& hit) {
     const DiscSpec& disc = *scene.disc;
     const double r = std::hypot(hit.x, hit.y), whole = within_rims(disc, r), opacity = disc.opacity * whole;
-    const auto rate = [&](double at) { return disc.flow == DiscFlowKind::kKepler ? matter.kepler_rate(at) : 0.0; };
-    const GasFactors gas = gas_at(disc, r, std::atan2(hit.y, hit.x), scene.time - hit.delay, whole, rate);
+    const double sense = matter.sense(disc.sense);
+    const auto rate = [&](double at) {
+        return disc.flow == DiscFlowKind::kKepler ? matter.kepler_rate(at, sense) : 0.0;
+    };
+    const GasFactors gas = gas_at(disc, r, std::atan2(hit.y, hit.x), scene.time - hit.delay, whole, rate, sense);
     const double thin = 1 - opacity * gas.light, thick = (1 - opacity) * gas.gaps,
                  through = std::clamp(thin + opacity * opacity * (thick - thin), 0.0, 1.0);
     return {opacity * gas.light * disc.brightness * disc.material.colour, 1 - through};
@@ -113,7 +116,7 @@ Paint pattern_at(const Looks& looks, const DiscHit& hit) {
     Paint paint =
         disc.flow == DiscFlowKind::kStill
             ? disc_pattern(disc, looks.pictures.disc, hit.x, hit.y)
-            : flowing_pattern(disc, looks.pictures.disc, looks.tracer.matter().kepler_rate(std::hypot(hit.x, hit.y)),
+            : flowing_pattern(disc, looks.pictures.disc, looks.tracer.matter().kepler_rate(std::hypot(hit.x, hit.y), looks.tracer.matter().sense(disc.sense)),
                               looks.scene.time - hit.delay, hit.x, hit.y);
     paint.colour = paint.alpha * paint.colour;
     return paint;
@@ -122,7 +125,7 @@ Paint pattern_at(const Looks& looks, const DiscHit& hit) {
 // A spot is a Gaussian about its middle, which moves on a circle: its frequency there is p . u, u = u^t (1, 0, 0, Omega).
 Vec3 spot_colour(const Metric& matter, const Scene& scene, const SpotSpec& spot, const TracedRay& ray,
                  const DiscHit& hit) {
-    const double rate = matter.kepler_rate(spot.r), t = scene.time - hit.delay, rest = matter.rest_lapse(spot.r);
+    const double rate = matter.kepler_rate(spot.r, matter.sense(spot.sense)), t = scene.time - hit.delay, rest = matter.rest_lapse(spot.r);
     double least = INFINITY;
     for (int i = 0; i < spot.count; ++i) {
         const double at = spot.phase + rate * t + 2 * M_PI * i / spot.count;

@@ -8,6 +8,7 @@
 #include "plan/body_kind.h"
 #include "plan/moving.h"
 #include "scene/named_surface.h"
+#include "scene/orbit_sense.h"
 #include "shaderlib/body_text.h"
 #include "spacetime/circular_orbit.h"
 #include "table/disc_light.h"
@@ -81,7 +82,7 @@ constexpr double kCopies = 4096.0;  // DISC_COPIES of shaders/object/disc_flow.g
 // shaders/object/spot.glsl
 std::array<FrameVector, 3> spot_numbers(const SpotSpec& spot, const FramePlan& plan) {
     const LightSpec& light = plan.scene.light;
-    const auto orbit = circular_orbit(*plan.matter, spot.r);
+    const auto orbit = circular_orbit(*plan.matter, spot.r, sense_about(*plan.matter, spot.sense));
     const double omega = orbit ? orbit->omega : 0.0, lapse = std::sqrt(plan.matter->lapse_squared(spot.r));
     // As disc_flow_row: g's two parts, and rays of flat space.
     double u_t = orbit ? orbit->u_t : 1.0 / lapse, u_phi = u_t * omega;
@@ -179,7 +180,7 @@ void put_moving(FrameData& frame, const FramePlan& plan) {
     const double lives = late_time(plan) / disc->flow_life;
     const double copy = std::floor(lives);
     frame.disc_winding = {lives - copy, 1.0 / disc->flow_life, first, second};
-    frame.disc_copy = {copy - kCopies * std::floor(copy / kCopies), 0, 0, 0};
+    frame.disc_copy = {copy - kCopies * std::floor(copy / kCopies), sign_of(sense_about(*plan.matter, disc->sense)), 0, 0};
     if (!plan.effects.contains(Effect::kRingRates)) return;
     const DiscRate rate = disc_rate(*plan.matter, disc->inner, disc->outer);
     const auto& t = rate.terms;

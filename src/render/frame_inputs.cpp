@@ -5,6 +5,7 @@
 #include "plan/medium.h"
 #include "render/frame_textures.h"
 #include "scene/bodies.h"
+#include "scene/orbit_sense.h"
 #include "shaderlib/passes.h"
 #include "sky/packed_sky.h"
 #include "table/disc_light.h"
@@ -117,17 +118,18 @@ void FrameInputs::load_heat(const FrameTables& tables) {
         return;
     }
     const auto& accretion = scene.disc->accretion;
+    const Sense sense = sense_about(tables.matter(), scene.disc->sense);
     if (!accretion)
         hottest_ = {};
-    else if (!(hottest_.by == accretion && hottest_.about == scene.spacetime))
+    else if (!(hottest_.by == accretion && hottest_.about == scene.spacetime && hottest_.sense == sense))
         hottest_ = {
-            accretion, scene.spacetime,
-            disc_temperature_K(disc_flux_peak(tables.matter()).flux, accretion->mass_suns, accretion->rate_eddington)};
-    const auto key = std::make_tuple(scene.spacetime, scene.disc->inner, scene.disc->outer, scene.light.doppler,
+            accretion, scene.spacetime, sense,
+            disc_temperature_K(disc_flux_peak(tables.matter(), sense).flux, accretion->mass_suns, accretion->rate_eddington)};
+    const auto key = std::make_tuple(scene.spacetime, sense, scene.disc->inner, scene.disc->outer, scene.light.doppler,
                                      scene.light.gravity, scene.light.lensing);
     if (flow_key_ == key) return;
     disc_flow_ = texture_of(disc_flow_row(tables.matter(), scene.disc->inner, scene.disc->outer,
-                                          {scene.light.doppler, scene.light.gravity, !scene.light.lensing}));
+                                          {scene.light.doppler, scene.light.gravity, !scene.light.lensing}, sense));
     flow_key_ = key;
 }
 

@@ -21,6 +21,7 @@
 #include "render/sky_faces.h"
 #include "render/sky_textures.h"
 #include "render/warp_texture.h"
+#include "spacetime/circular_orbit.h"
 
 namespace nullscope {
 
@@ -92,11 +93,12 @@ private:
     std::optional<SkyAsked> sky_asked_;
     SkyFaces sky_faces_;  // of it
     bool keep_finer_sky_ = false;
-    std::optional<std::tuple<SpacetimeSpec, double, double, bool, bool, bool>>
-        flow_key_;    // of disc_flow_: its radii, parts of g
+    std::optional<std::tuple<SpacetimeSpec, Sense, double, double, bool, bool, bool>>
+        flow_key_;    // of disc_flow_: its sense and radii, parts of g
     struct Hottest {  // ring of the disc, where accretion heats it
         std::optional<AccretionSpec> by;
         SpacetimeSpec about;
+        Sense sense = Sense::kEastward;
         double temperature_K = 0.0;
     } hottest_;
 };

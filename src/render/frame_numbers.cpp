@@ -9,6 +9,7 @@
 #include "observer/screen_form.h"
 #include "render/body_numbers.h"
 #include "render/medium_numbers.h"
+#include "scene/orbit_sense.h"
 #include "scene/projection.h"
 #include "scene/ray.h"
 #include "scene/warp_mesh.h"
@@ -128,7 +129,8 @@ void put_disc(FrameData& frame, const FramePlan& plan, const TextureFacts& textu
                       textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1))};
     frame.disc_surface = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(plan.passed)};
     if (disc.material.texture == TextureKind::kGas)
-        frame.disc_gas = {disc.gas.contrast, disc.gas.winding / (2 * M_PI), disc.rotation / (2 * M_PI),
+        frame.disc_gas = {disc.gas.contrast,
+                          sign_of(sense_about(*plan.matter, disc.sense)) * disc.gas.winding / (2 * M_PI), disc.rotation / (2 * M_PI),
                           late_time(plan)};
     frame.disc_gas_colour = {disc.brightness * disc.material.colour, 0};
     const double hottest_K = textures.disc_temperature_K.value_or(disc.temperature_K);

@@ -7,9 +7,9 @@
 
 namespace nullscope {
 
-ListedStart::ListedStart(const FrameTables& tables)
+ListedStart::ListedStart(const FrameTables& tables, Sense sense)
     : tables_(tables), frame_(frame_numbers(tables.plan(), tables.path(), {}, tables.ball_paths())), flow_() {
-    if (tables.matter().can_have_disc()) flow_.emplace(tables.matter());
+    if (tables.matter().can_have_disc()) flow_.emplace(tables.matter(), sense);
     CameraSpec camera = tables.plan().scene.camera;
     camera.yaw = camera.pitch = camera.roll = 0.0;
     screen_ = screen_form(tables.matter(), camera, tables.plan().observer, true);

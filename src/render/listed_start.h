@@ -12,8 +12,8 @@ namespace nullscope {
 
 class ListedStart {
 public:
-    // Of the last update; tables: outlives this.
-    explicit ListedStart(const FrameTables& tables);
+    // Of the last update; tables: outlives this. sense: of a disc's matter.
+    ListedStart(const FrameTables& tables, Sense sense);
     // theta, phi: where it starts, of a rotating hole at the camera's theta. n: unit, in the observer's frame. at_angle: a swept angle for which
     // zeta is asked, 0 for none.
     RayNumbers numbers(double theta, double phi, Vec3 n, double at_angle) const;

@@ -15,6 +15,10 @@ namespace nullscope {
 // Motion of a pattern: none, or every ring at the angular velocity of circular geodesics (docs/time.md).
 enum class DiscFlowKind { kStill, kKepler };
 
+// Which way what circles goes: towards growing phi, towards falling phi, or with and against the rotation of the hole, without which prograde
+// is eastward (scene/orbit_sense.h).
+enum class OrbitSense { kEastward, kWestward, kPrograde, kRetrograde };
+
 // Turbulent gas, of a disc or a medium: what its light or density is multiplied by, of mean 1 at every radius (docs/light.md). With
 // DiscFlowKind::kKepler it moves.
 struct GasSpec {
@@ -32,6 +36,7 @@ struct GasMatter {
     double optical_depth = 4.0;  // along the normal
     GasSpec clumps{};            // of its density, with the same words as a disc's
     DiscFlowKind flow = DiscFlowKind::kStill;
+    OrbitSense sense = OrbitSense::kEastward;
     friend bool operator==(const GasMatter&, const GasMatter&) = default;
 };
 // A hot flow about the hole (Gold et al. 2020): density exp(-((r/radius)^2 + (flattening cos theta)^2)/2), angular momentum per energy

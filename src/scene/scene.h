@@ -204,6 +204,7 @@ struct DiscSpec {
     double temperature_K = 8000.0;             // thermal: of the hottest ring, in its own frame; without `accretion`
     std::optional<AccretionSpec> accretion{};  // thermal: gives the temperature
     DiscFlowKind flow = DiscFlowKind::kStill;
+    OrbitSense sense = OrbitSense::kEastward;  // of its matter: thermal light and flow
     // kKepler, r_s/c: how long a copy of the pattern is sheared before it has faded into the next.
     double flow_life = 40.0;
     // Only colours, formula, columns and rows are used; with texture kImage the picture is `image`. u = 1/2 + azimuth/2 pi,
@@ -224,6 +225,7 @@ struct SpotSpec {
     double brightness = 1.0;  // at its centre, relative to a black body of its temperature
     double temperature_K = 8000.0;
     int count = 1;
+    OrbitSense sense = OrbitSense::kEastward;
     friend bool operator==(const SpotSpec&, const SpotSpec&) = default;
 };
 
@@ -251,6 +253,7 @@ struct BallSpec {  // a sphere anywhere
     BallMotion motion = BallMotion::kStill;
     Vec3 velocity{0, 0, 0};     // kGeodesic: along (e_r, e_theta, e_phi) of an observer at rest there, |v| < 1
     std::string x{}, y{}, z{};  // kPath: docs/expressions.md, of t in r_s/c
+    OrbitSense sense = OrbitSense::kEastward;  // kOrbit
     bool moves() const { return motion != BallMotion::kStill; }
     friend bool operator==(const BallSpec&, const BallSpec&) = default;
 };

@@ -41,6 +41,7 @@ inline constexpr KeyRange kPositive{0.0, 1e6, true, false};     // of lengths an
 inline constexpr KeyRange kAnyAngle = closed(-3600.0, 3600.0);  // ten turns: digits are left after reduction
 inline constexpr KeyRange kBrightness = closed(0.0, 1e6);
 inline constexpr KeyRange kNoRange{};
+inline constexpr std::string_view kOrbitSenses = "eastward westward prograde retrograde";  // as OrbitSense
 
 struct SceneKey {
     std::string_view section;  // "" for the top level

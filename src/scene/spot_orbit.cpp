@@ -2,17 +2,18 @@
 
 #include <cmath>
 
-#include "spacetime/circular_orbit.h"
+#include "scene/orbit_sense.h"
 #include "spacetime/registry.h"
 
 namespace nullscope {
 
 std::optional<double> spot_period(const Scene& scene) {
     if (scene.spots.empty()) return {};
+    const SpotSpec& spot = scene.spots.front();
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    const auto orbit = spacetime ? circular_orbit(**spacetime, scene.spots.front().r) : std::nullopt;
+    const auto orbit = spacetime ? circular_orbit(**spacetime, spot.r, sense_about(**spacetime, spot.sense)) : std::nullopt;
     if (!orbit) return {};
-    return 2.0 * M_PI / orbit->omega;
+    return 2.0 * M_PI / std::fabs(orbit->omega);
 }
 
 }  // namespace nullscope

@@ -18,6 +18,7 @@
 #include "plan/sides.h"
 #include "scene/bodies.h"
 #include "scene/medium_dumps.h"
+#include "scene/orbit_sense.h"
 #include "scene/picture_size.h"
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
@@ -301,7 +302,7 @@ Faults check_motion(const Scene& scene, const World& world, const std::string& m
         faults.push_back({moving.front(), fmt::format("light-travel time is not available in metric \"{}\"", metric),
                           "light.delay = \"off\", or another metric"});
     for (std::size_t i = 0; i < scene.spots.size() && scene.disc; ++i)
-        if (!circular_orbit(*world, scene.spots[i].r))
+        if (!circular_orbit(*world, scene.spots[i].r, sense_about(*world, scene.spots[i].sense)))
             faults.push_back({section_label("spot", i) + ".r", fmt::format("no circular orbit at {}", scene.spots[i].r),
                               "r outside the photon sphere"});
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

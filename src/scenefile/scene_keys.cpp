@@ -319,6 +319,12 @@ constexpr SceneKey kKeys[] = {
     {"disc", "flow", KeyType::kChoice, "", "still", kNoRange, "still kepler",
      "How image or texture moves: not at all, or each ring at the orbital speed of the matter.",
      [](auto& s) { return &s.disc->flow; }},
+    {"disc", "sense", KeyType::kChoice, "", "eastward", kNoRange, kOrbitSenses,
+     "Which way its matter goes round: towards growing or falling phi, or with or against the hole's rotation (without "
+     "rotation as eastward and westward).",
+     [](auto& s) { return &s.disc->sense; },
+     [](const Scene& s) { return s.disc->emission == DiscEmission::kThermal || s.disc->flow == DiscFlowKind::kKepler; },
+     "emission = \"thermal\" or flow = \"kepler\""},
     {"disc", "flow_life", KeyType::kNumber, "r_s/c", "40", kPositive, "",
      "Time for which a copy of the pattern is sheared before it has faded into the next; needs flow = \"kepler\", not "
      "used by gas.",
@@ -341,6 +347,8 @@ constexpr SceneKey kKeys[] = {
      "Temperature of the black body that gives its colour.", [](auto& s) { return &s.spots.back().temperature_K; }},
     {"spot", "count", KeyType::kWhole, "", "1", closed(1.0, 64.0), "",
      "Number of spots, evenly spaced along the orbit.", [](auto& s) { return &s.spots.back().count; }},
+    {"spot", "sense", KeyType::kChoice, "", "eastward", kNoRange, kOrbitSenses, "Which way it goes round, as disc.sense.",
+     [](auto& s) { return &s.spots.back().sense; }},
 
     on_off_key("light", "shift", "on", "Whether Doppler and gravitational shift change the colour of thermal emission.",
                [](auto& s) { return &s.light.shift; }),

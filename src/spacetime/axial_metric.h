@@ -16,8 +16,8 @@ namespace nullscope {
 class AxialMetric final : public Spacetime {
 public:
     static constexpr double kRounding = 1e-15;  // of (a/M)^2 + (Q/M)^2: as much above 1 is 1
-    // r_+ - r_- of extremal holes, r_s: a double root of Delta is drawn as two, which puts a^2 off by 2.5e-15.
-    static constexpr double kLeastApart = 1e-7;
+    // r_+ - r_- of extremal holes, r_s: a double root of Delta is drawn as two, which puts a^2 off by 2.5e-17.
+    static constexpr double kLeastApart = 1e-8;
     // Of M: a/M in [-1, 1] and not 0, Q/M >= 0 with (a/M)^2 + (Q/M)^2 <= 1. Below 0 the hole turns towards falling phi.
     AxialMetric(std::string_view name, double spin_over_mass, double charge_over_mass);
     std::string_view name() const override { return name_; }

@@ -59,11 +59,13 @@ std::array<double, 2> divided(double inside_r, const Is& is, double outside_r = 
 
 }  // namespace
 
-std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r) {
+std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r, Sense sense) {
     if (const auto horizon = spacetime.horizon_radius(); horizon && r <= *horizon)
         return {};  // within an inner one there are some
     const auto equator = spacetime.equator(r);
-    return equator && !pulled_outward(*equator) ? orbit_in(*equator) : std::nullopt;
+    auto orbit = equator && !pulled_outward(*equator) ? orbit_in(seen_in(sense, *equator)) : std::nullopt;
+    if (orbit) orbit->omega *= sign_of(sense), orbit->momentum *= sign_of(sense);
+    return orbit;
 }
 
 bool has_circular_rate_numbers(const Spacetime& spacetime) {
@@ -115,14 +117,14 @@ double outermost_circular_orbit(const Spacetime& spacetime) {
     return sphere && pulled(kFarthestStable) ? 1.0 / divided(sphere->radius, pulled)[1] : kAnyRadius;
 }
 
-DiscMatterFlow::DiscMatterFlow(const Spacetime& spacetime)
-    : spacetime_(spacetime), isco_(innermost_stable_orbit(spacetime)) {
-    if (isco_) last_ = *circular_orbit(spacetime, *isco_);
+DiscMatterFlow::DiscMatterFlow(const Spacetime& spacetime, Sense sense)
+    : spacetime_(spacetime), sense_(sense), isco_(innermost_stable_orbit(spacetime, sense)) {
+    if (isco_) last_ = *circular_orbit(spacetime, *isco_, sense);
 }
 
 MatterVelocity DiscMatterFlow::at(double r) const {
     if (!isco_ || r >= *isco_) {
-        const CircularOrbit orbit = circular_orbit(spacetime_, r).value_or(CircularOrbit{1, 0, 1, 0});
+        const CircularOrbit orbit = circular_orbit(spacetime_, r, sense_).value_or(CircularOrbit{1, 0, 1, 0});
         return {orbit.u_t, 0.0, orbit.u_t * orbit.omega};
     }
     const double energy = last_.energy, momentum = last_.momentum;
@@ -132,6 +134,8 @@ MatterVelocity DiscMatterFlow::at(double r) const {
             -std::sqrt(std::max(n - e.across2, 0.0) / e.radial), -(energy * e.g.tphi + momentum * e.g.tt) / e.across2};
 }
 
-MatterVelocity disc_matter(const Spacetime& spacetime, double r) { return DiscMatterFlow(spacetime).at(r); }
+MatterVelocity disc_matter(const Spacetime& spacetime, double r, Sense sense) {
+    return DiscMatterFlow(spacetime, sense).at(r);
+}
 
 }  // namespace nullscope

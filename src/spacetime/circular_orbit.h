@@ -13,16 +13,22 @@
 
 namespace nullscope {
 
+// Towards growing phi, or towards falling phi, whichever way a hole turns: where a is below 0 eastward orbits are the retrograde ones.
+// The same without rotation.
+enum class Sense { kEastward, kWestward };
+inline double sign_of(Sense sense) { return sense == Sense::kEastward ? 1.0 : -1.0; }
+
 struct CircularOrbit {
     double u_t;       // dt/dtau
-    double omega;     // dphi/dt, towards growing phi; in c/r_s
+    double omega;     // dphi/dt, c/r_s
     double energy;    // per rest mass
     double momentum;  // L per rest mass, r_s c
 };
 
 // Nothing where there is no such geodesic: at and inside light's own circular orbit, where a cosmological constant pulls
 // outward, and where the spacetime has no Equator. Flat space: matter at rest.
-std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r);
+// Westward, omega and momentum are below 0.
+std::optional<CircularOrbit> circular_orbit(const Spacetime& spacetime, double r, Sense sense = Sense::kEastward);
 
 // Of A = (1 - x zeta)(1 - y zeta), by which matter goes round with w^2 = A'/(2 r) = zeta^3 ((x + y)/2 - x y zeta) and
 // Omega = w/(1 + a w); about a rotating hole A = 1 - zeta + charge2 zeta^2 takes its place. In flat space matter rests. Other metrics
@@ -31,10 +37,6 @@ std::array<double, 2> circular_rate_numbers(const Spacetime& spacetime);
 bool has_circular_rate_numbers(const Spacetime& spacetime);
 // Omega^2 r^3 of a metric without rotation, 0 where it has no equator; negative where no matter can go round, being pulled outward.
 double circular_rate_scaled(const Spacetime& spacetime, double r);
-
-// Towards growing phi, or towards falling phi, whichever way a hole turns: where a is below 0 eastward orbits are the retrograde ones.
-// The same without rotation.
-enum class Sense { kEastward, kWestward };
 
 // Radius in r_s, a rounding inward, of light's own circular orbit, the innermost of all circular orbits of that sense:
 // light that is on its way in there does not turn any more. The spacetime must have an Equator and a horizon.
@@ -53,16 +55,17 @@ double outermost_circular_orbit(const Spacetime& spacetime);
 struct MatterVelocity {
     double u_t, u_r, u_phi;
 };
-MatterVelocity disc_matter(const Spacetime& spacetime, double r);
+MatterVelocity disc_matter(const Spacetime& spacetime, double r, Sense sense = Sense::kEastward);
 
 // The same at many radii: the innermost stable orbit is found once. spacetime: outlives this.
 class DiscMatterFlow {
 public:
-    explicit DiscMatterFlow(const Spacetime& spacetime);
+    explicit DiscMatterFlow(const Spacetime& spacetime, Sense sense = Sense::kEastward);
     MatterVelocity at(double r) const;
 
 private:
     const Spacetime& spacetime_;
+    Sense sense_;
     std::optional<double> isco_;
     CircularOrbit last_{1, 0, 1, 0};
 };

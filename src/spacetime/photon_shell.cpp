@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kBeyondOrbits =
     2.0;  // r_s from the outer horizon: the outermost orbit, against the fastest spin, is at 4 M
-constexpr double kInHorizon = 1e-300;  // r_s from it
+constexpr double kInHorizon = 1e-300, kInExtremal = 10.0 * AxialMetric::kLeastApart;  // r_s from it
 constexpr double kRounding = 1e-15;    // of a radius
 
 // The integral over a half orbit of what has the period pi in psi; f of sin^2(psi).
@@ -61,13 +61,14 @@ Result<PhotonOrbit> rotating_metric(const AxialMetric& metric, double theta, dou
     const Shell shell{metric};
     const double sine = std::sin(theta), cosine = std::cos(theta), cos_psi = std::cos(psi), sin_psi = std::sin(psi);
     const double polar2 = shell.a * shell.a * cosine * cosine, around = shell.a * sine * cos_psi;
-    double inside = kInHorizon, outside = kBeyondOrbits;
+    const double least = shell.gap > 1.5 * AxialMetric::kLeastApart ? kInHorizon : kInExtremal;
+    double inside = least, outside = kBeyondOrbits;
     for (double x = 1.0; x > inside && x < outside; x = 0.5 * (inside + outside)) {
         const double r = metric.outer_horizon() + x, root = shell.root_delta(x);
         const bool falls_short = (r * r + polar2) * shell.slope(x) > 4.0 * r * root * (root + around);
         (falls_short ? inside : outside) = x;
     }
-    if (!(inside > kInHorizon))
+    if (!(inside > least))
         return bad_input(fmt::format("{}: this photon orbit lies in the horizon of an extremal hole", metric.name()));
     return orbit_of(shell, inside, sine, cosine, cos_psi, sin_psi * sin_psi);
 }
@@ -109,9 +110,13 @@ Result<PhotonOrbit> photon_orbit_at(const AxialMetric& metric, double r) {
     // cos(psi) at the equator is twist/around.
     const double twist = r * shell.slope(x) - 4.0 * root * root, around = 4.0 * shell.a * root;
     if (!(x > 0.0 && std::fabs(twist) <= std::fabs(around) + 10.0 * kRounding * r)) {
-        const auto first = photon_orbit(metric, 0.5 * M_PI, 0.0), last = photon_orbit(metric, 0.5 * M_PI, M_PI);
+        const auto end = [&](double psi) {
+            const auto orbit = photon_orbit(metric, 0.5 * M_PI, psi);
+            return orbit ? orbit->r : metric.outer_horizon();
+        };
+        const double east = end(0.0), west = end(M_PI);
         return bad_input(fmt::format("{}: no photon orbit at r = {}", metric.name(), r),
-                         fmt::format("[{}, {}]", first ? first->r : metric.outer_horizon(), last->r));
+                         fmt::format("[{}, {}]", std::min(east, west), std::max(east, west)));
     }
     const double cos_psi = around != 0.0 ? std::clamp(twist / around, -1.0, 1.0) : 0.0;
     return orbit_of(shell, x, 1.0, 0.0, cos_psi, (1.0 - cos_psi) * (1.0 + cos_psi));

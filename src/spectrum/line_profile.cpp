@@ -79,7 +79,7 @@ private:
 class Rings {
 public:
     Rings(const DistantLight& light, const DiscLine& line) : light_(light), line_(line) {
-        isco_ = *innermost_stable_orbit(light.spacetime());
+        isco_ = *innermost_stable_orbit(light.spacetime(), line.sense);
     }
     double isco() const { return isco_; }
     Ring at(const DiscImage& image, double r, double emissivity) const {
@@ -102,8 +102,8 @@ public:
 
 private:
     MatterVelocity matter(double r) const {
-        if (r < isco_) return disc_matter(light_.spacetime(), r);
-        const CircularOrbit orbit = *circular_orbit(light_.spacetime(), r);
+        if (r < isco_) return disc_matter(light_.spacetime(), r, line_.sense);
+        const CircularOrbit orbit = *circular_orbit(light_.spacetime(), r, line_.sense);
         return {orbit.u_t, 0.0, orbit.u_t * orbit.omega};
     }
     const DistantLight& light_;

@@ -19,8 +19,8 @@ struct Ring {
     double momentum;
 };
 
-Ring ring_at(const Spacetime& spacetime, double r) {
-    const CircularOrbit orbit = circular_orbit(spacetime, r).value_or(CircularOrbit{1, 0, 1, 0});
+Ring ring_at(const Spacetime& spacetime, Sense sense, double r) {
+    const CircularOrbit orbit = circular_orbit(spacetime, r, sense).value_or(CircularOrbit{1, 0, 1, 0});
     return {r, orbit.omega, orbit.energy - orbit.omega * orbit.momentum, orbit.momentum};
 }
 
@@ -34,17 +34,17 @@ double slope(const Spacetime& spacetime, Function f, double r) {
 }
 
 // Of (E - Omega L) L' dr between two radii: eight points of Gauss.
-double gained_between(const Spacetime& spacetime, double a, double b) {
+double gained_between(const Spacetime& spacetime, Sense sense, double a, double b) {
     return gauss_rule(kEightNode, kEightWeight, a, b, [&](double r) {
-        return ring_at(spacetime, r).gain * slope(spacetime, [&](double at) { return ring_at(spacetime, at).momentum; }, r);
+        return ring_at(spacetime, sense, r).gain * slope(spacetime, [&](double at) { return ring_at(spacetime, sense, at).momentum; }, r);
     });
 }
 
 }  // namespace
 
-std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<double>& radii) {
+std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<double>& radii, Sense sense) {
     std::vector<double> flux(radii.size(), 0.0);
-    const auto isco = innermost_stable_orbit(spacetime);
+    const auto isco = innermost_stable_orbit(spacetime, sense);
     if (!isco) return flux;
     std::vector<std::size_t> order(radii.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -56,31 +56,31 @@ std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<doub
         if (r <= *isco) continue;
         while (from < r) {  // pieces of at most a tenth of r, and half of the way to the horizon
             const double to = std::min(r, from + std::min(0.1 * from, 0.5 * (from - horizon)));
-            gained += gained_between(spacetime, from, to);
+            gained += gained_between(spacetime, sense, from, to);
             from = to;
         }
-        const Ring ring = ring_at(spacetime, r);
-        const double omega_slope = slope(spacetime, [&](double at) { return ring_at(spacetime, at).omega; }, r);
+        const Ring ring = ring_at(spacetime, sense, r);
+        const double omega_slope = slope(spacetime, [&](double at) { return ring_at(spacetime, sense, at).omega; }, r);
         flux[i] = std::max(-omega_slope * gained / (4.0 * M_PI * r * ring.gain * ring.gain), 0.0);
     }
     return flux;
 }
 
-FluxPeak disc_flux_peak(const Spacetime& spacetime) {
-    const auto isco = innermost_stable_orbit(spacetime);
+FluxPeak disc_flux_peak(const Spacetime& spacetime, Sense sense) {
+    const auto isco = innermost_stable_orbit(spacetime, sense);
     if (!isco) return {1.0, 0.0};
     double low = *isco, high = std::min(4.0 * *isco, outermost_circular_orbit(spacetime));  // one maximum between them
     constexpr double kGolden = 0.6180339887498949;
     while (high - low > 1e-8 * high) {
         const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-        const std::vector<double> flux = disc_flux(spacetime, {a, b});
+        const std::vector<double> flux = disc_flux(spacetime, {a, b}, sense);
         if (flux[0] < flux[1])
             low = a;
         else
             high = b;
     }
     const double r = 0.5 * (low + high);
-    return {r, disc_flux(spacetime, {r}).front()};
+    return {r, disc_flux(spacetime, {r}, sense).front()};
 }
 
 double disc_temperature_K(double flux, double mass_suns, double rate_eddington) {
@@ -107,15 +107,15 @@ std::array<double, 2> disc_lapses(const Spacetime& spacetime, double r, ShiftPar
     return {lapse, parts.straight ? 1.0 : lapse};
 }
 
-TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts) {
+TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts, Sense sense) {
     const double horizon = spacetime.horizon_radius().value_or(0.0);
     const double from = std::max(inner, (1.0 + 1e-6) * horizon);
     std::vector<double> radii;
     for (int i = 0; i <= kDiscFlowCells; ++i)
         radii.push_back(std::max(inner * std::pow(outer / inner, double(i) / kDiscFlowCells), from));
-    const std::vector<double> flux = disc_flux(spacetime, radii);
-    const double peak = disc_flux_peak(spacetime).flux;
-    const DiscMatterFlow matter(spacetime);
+    const std::vector<double> flux = disc_flux(spacetime, radii, sense);
+    const double peak = disc_flux_peak(spacetime, sense).flux;
+    const DiscMatterFlow matter(spacetime, sense);
     TexelGrid row{kDiscFlowCells + 1, kDiscFlowRows, {}};
     std::vector<float> factors;
     for (std::size_t i = 0; i < radii.size(); ++i) {

@@ -16,13 +16,14 @@ namespace nullscope {
 
 // F at each radius (r_s, any order, outside the photon sphere), in accretion rates per r_s^2 (times 1/4 per M^2). Relative error
 // below 1e-9. Flat space: 0.
-std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<double>& radii);
+std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<double>& radii,
+                              Sense sense = Sense::kEastward);
 
 struct FluxPeak {
     double r, flux;
 };
 // Where the flux is largest, r to 1e-8 of itself. Errors: none; flux 0 in flat space.
-FluxPeak disc_flux_peak(const Spacetime& spacetime);
+FluxPeak disc_flux_peak(const Spacetime& spacetime, Sense sense = Sense::kEastward);
 
 // Temperature (K) of a face that radiates this flux about a hole that takes in `rate_eddington` times L_Eddington/(0.1 c^2).
 double disc_temperature_K(double flux, double mass_suns, double rate_eddington);
@@ -38,7 +39,8 @@ inline constexpr int kDiscFlowCells = 1024, kDiscFlowRows = 2;
 struct ShiftParts {
     bool doppler = true, gravity = true, straight = false;
 };
-TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts = {});
+TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts = {},
+                        Sense sense = Sense::kEastward);
 
 // For shaders/core/polarisation.glsl: sqrt(Delta)/r at the matter, without rotation sqrt(A), and of the light that it emits: 1 where that runs straight.
 std::array<double, 2> disc_lapses(const Spacetime& spacetime, double r, ShiftParts parts);

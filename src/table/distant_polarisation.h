@@ -23,7 +23,7 @@ public:
     // inclination: rad from the axis, of an observer above the disc. field: its direction, unit, along r, azimuth and north, in the matter's frame. fraction: of
     // the light that is polarised; nothing: as an atmosphere that scatters. The spacetime has discs.
     DistantPolarisation(std::shared_ptr<const Spacetime> spacetime, double inclination, Vec3 field,
-                        std::optional<double> fraction);
+                        std::optional<double> fraction, Sense sense = Sense::kEastward);
     // Of light from this radius, outside of the horizon: Q + iU over I, angles from alpha towards beta.
     std::function<std::complex<double>(const DistantPhoton&)> ring(double r) const;
 

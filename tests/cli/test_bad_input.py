@@ -74,7 +74,7 @@ class Usage(support.CliTest):
                             (("kottler",), ["not flat far out", "A = 1"]),
                             (("s-stars",), ["90 degrees", "0 to 89 degrees"]),
                             (("kerr", "--spin", "0.5"), ["--spin", "a scene or --spin"]),
-                            (("--spin", "1"), ["--spin", "0 to 0.9999"]),
+                            (("--spin", "-1.01"), ["--spin", "-1 to 1"]),
                             (("--inclination", "181"), ["--inclination", "0 to 180"]),
                             (("--inclination", "89.5"), ["89.5 degrees", "0 to 89 degrees"]),
                             (("--inner", "near"), ["--inner near", "isco"]),

@@ -331,6 +331,47 @@ class ShaderText(TraceTest):
                         self.assertAlmostEqual(number(row[phi]), number(exact[phi]), delta=AZIMUTH_RAD, msg=name)
             self.report(f"{tracer}: random rays: " + ", ".join(f"{k} {v:.3g}" for k, v in worst.items()))
 
+    def test_spins_of_either_sign(self):
+        """Against the reference, with the disc's shift; and the other spin, turned, is the same to rounding."""
+        dice = random.Random(55)
+        rays, mirrored = [], []
+        for i in range(300):
+            r, theta, phi = 1.2 * 30 ** dice.random(), math.acos(dice.uniform(-0.99, 0.99)), dice.uniform(-3, 3)
+            b, turn = dice.uniform(0, 4) / r, dice.uniform(0, 2 * math.pi)
+            rays.append((r, theta, phi, -1, b * math.cos(turn), b * math.sin(turn), i))
+            mirrored.append((r, theta, -phi, -1, b * math.cos(turn), -b * math.sin(turn), i))
+        columns = ["r", "theta", "phi", "n_r", "n_theta", "n_phi", "i"]
+        text, other_text = write_csv(rays, columns), write_csv(mirrored, columns)
+
+        def scene(name, spin, charge, sense):
+            return self.write(name, f'[spacetime]\nmetric = "kerr-newman"\nspin = {spin!r}\ncharge = {charge!r}\n[camera]\nobserver = "zamo"\n'
+                                    f'[disc]\ninner = 3\nouter = 12\nopacity = 0.5\nemission = "thermal"\nsense = "{sense}"\n')
+
+        for spin, charge, sense in ((-0.9, 0, "eastward"), (-0.5, 0.3, "westward"), (0.9, 0, "retrograde"), (-1.0, 0, "prograde"), (-0.6, 0.8, "eastward")):
+            one = scene("one.toml", spin, charge, sense)
+            other = scene("other.toml", -spin, charge, {"eastward": "westward", "westward": "eastward"}.get(sense, sense))
+            exact = self.trace(text, "--crossings", "1", scene=one)
+            self.assertGreater(sum(bool(row["g_1"]) for row in exact), 150)
+            for tracer in ["reference", *self.tracers()]:
+                drawn = self.trace(text, "--crossings", "1", "--with", tracer, scene=one)
+                turned = self.trace(other_text, "--crossings", "1", "--with", tracer, scene=other)
+                worst = {}
+                for row, right, across in zip(drawn, exact, turned):
+                    name = (spin, charge, sense, tracer, row["i"])
+                    self.assertEqual((row["fate"], row["fate"]), (right["fate"], across["fate"]), name)
+                    if row["phi_inf"]:
+                        self.assertAlmostEqual(number(row["phi_inf"]), -number(across["phi_inf"]), delta=1e-9, msg=name)
+                        self.assertAlmostEqual(number(row["theta_inf"]), number(across["theta_inf"]), delta=1e-9, msg=name)
+                        worst["sky"] = max(worst.get("sky", 0), angle_between(direction(row), direction(right)))
+                    if row["g_1"] and number(row["r_1"]) > 1.3:
+                        self.assertAlmostEqual(number(row["g_1"]) / number(across["g_1"]), 1, delta=1e-9, msg=name)
+                        worst["g"] = max(worst.get("g", 0), abs(number(row["g_1"]) / number(right["g_1"]) - 1))
+                        worst["r"] = max(worst.get("r", 0), abs(number(row["r_1"]) / number(right["r_1"]) - 1))
+                self.report(f"{tracer}: a = {spin}, Q = {charge}, {sense}: " + ", ".join(f"{k} {v:.2g}" for k, v in worst.items()))
+                self.assertLess(worst["sky"], 1e-3, (spin, tracer))    # next to the critical curve the sky turns fast
+                self.assertLess(worst["r"], 5e-5, (spin, tracer))
+                self.assertLess(worst["g"], 5e-5, (spin, tracer))
+
     @support.costly
     def test_a_rays_answer_is_its_own(self):
         """Rays of one list share tables and draws: each is what it is alone, to the bit."""

@@ -70,8 +70,10 @@ void measure(GpuSession& session, Scene scene, std::mt19937& random, Worst& wors
         if (wide > kWidest * r) continue;  // a small image: the finest octaves are averaged there
         const double depth = std::min(r - disc.inner, disc.outer - r) / (disc.outer - disc.inner) / disc.edge,
                      whole = depth < 1 ? depth * depth * (3 - 2 * depth) : 1, opacity = disc.opacity * whole;
-        const auto gas = reference::gas_at(disc, r, std::atan2(hits[0].y, hits[0].x), scene.time - hits[0].delay, whole,
-                                           [&](double at) { return flows ? tracer->matter().kepler_rate(at) : 0.0; });
+        const double sense = tracer->matter().sense(disc.sense);
+        const auto gas = reference::gas_at(
+            disc, r, std::atan2(hits[0].y, hits[0].x), scene.time - hits[0].delay, whole,
+            [&](double at) { return flows ? tracer->matter().kepler_rate(at, sense) : 0.0; }, sense);
         const double thin = 1 - opacity * gas.light, thick = (1 - opacity) * gas.gaps,
                      through = std::clamp((1 - opacity * opacity) * thin + opacity * opacity * thick, 0.0, 1.0);
         const double light_off = std::abs(picture.at(x, y)[0] - opacity * gas.light) / (opacity * (1 + gas.light)),
@@ -96,6 +98,8 @@ TEST_CASE("disc gas: the shader's is the reference's, at rest and moving, with a
             Scene scene = gas_scene(metrics[view % 3], view % 2 == 0 ? 0.5 : 1.2);
             scene.light.delay = view % 4 != 3;
             if (view % 5 == 4) scene.disc->flow = DiscFlowKind::kStill;
+            if (view % 4 == 2) scene.disc->sense = OrbitSense::kWestward;
+            if (view % 8 == 1 && view % 3 == 1) scene.spacetime.parameters["spin"] = -0.9;
             measure(session, scene, random, worst);
         }
         fmt::print("disc gas: in {} pixels light within {:.2g} of it and 1, what shines through within {:.2g}\n",

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "base/assets.h"
 #include "reference/matter_stokes.h"
 #include "scene/projection.h"
 #include "support/gpu_session.h"

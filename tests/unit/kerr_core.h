@@ -44,7 +44,7 @@ inline RayPixel kerr_core(double spin, const KerrView& view, bool in_float,
     frame.spin_climb = {f.climb.constant, f.climb.radial, f.climb.around, f.carter_slope};
     frame.spin_place = {std::sin(view.theta), std::fabs(cosine) < 1e-12 ? 0.0 : cosine, 1, 0};
     frame.spin_turn = {spacetime->azimuth_ahead(view.r), a / (outer - spacetime->inner_horizon()), spacetime->charge2(),
-                       0};
+                       outer - spacetime->inner_horizon()};
     input.lensing = false, input.spin = true, input.aberration = speed > 0;
     return in_float ? trace_core32(input, 0, 0) : trace_core64(input, 0, 0);
 }

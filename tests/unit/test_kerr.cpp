@@ -49,8 +49,9 @@ TEST_CASE("kerr: without spin it is the Schwarzschild metric, with its table") {
     CHECK(none->axial() == nullptr);
     CHECK(none->photon_sphere());
     CHECK(kerr(0.5)->a() == 0.25);
-    CHECK_FALSE(make_spacetime("kerr", {{"spin", 1.0}}));
-    CHECK_FALSE(make_spacetime("kerr", {{"spin", -0.1}}));
+    CHECK(kerr(-0.5)->a() == -0.25);
+    CHECK_FALSE(make_spacetime("kerr", {{"spin", 1.0001}}));
+    CHECK_FALSE(make_spacetime("kerr", {{"spin", -1.0001}}));
 }
 
 TEST_CASE("kerr: the camera's tetrad is orthonormal and has no angular momentum") {

@@ -46,7 +46,7 @@ RayPixel core(const AxialMetric& metric, double r, double theta, Vec3 look, bool
     frame.spin_across = {f.across.constant, f.across.radial, f.across.around, f.carter};
     frame.spin_climb = {f.climb.constant, f.climb.radial, f.climb.around, f.carter_slope};
     frame.spin_place = {std::sin(theta), std::cos(theta), 1, 0};
-    frame.spin_turn = {metric.azimuth_ahead(r), a / (outer - inner), metric.charge2(), 0};
+    frame.spin_turn = {metric.azimuth_ahead(r), a / (outer - inner), metric.charge2(), outer - inner};
     input.lensing = false, input.spin = true;
     return in_float ? trace_core32(input, 0, 0) : trace_core64(input, 0, 0);
 }
