@@ -42,7 +42,8 @@ std::vector<NamedNumber> numbers_of(const Spacetime& spacetime, const CameraSpec
     };
     return {
         {"horizon", "r_s", "outer horizon", marks.horizon},
-        {"photon_orbit", at, spacetime.rotates() ? sense + "circular photon orbit" : "photon sphere", marks.photon_orbit},
+        {"photon_orbit", at, spacetime.rotates() ? sense + "circular photon orbit" : "photon sphere",
+         marks.photon_orbit},
         {"retrograde_photon_orbit", "r_s", other + "circular photon orbit", marks.retrograde_photon_orbit},
         {"isco", at, sense + "ISCO", marks.isco},
         {"retrograde_isco", "r_s", other + "ISCO", marks.retrograde_isco},

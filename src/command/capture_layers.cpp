@@ -65,7 +65,8 @@ public:
 private:
     Vec3 on_disc(Vec3 place, double time) const {
         if (scene_.disc->flow == DiscFlowKind::kStill) return place;
-        const auto orbit = circular_orbit(spacetime_, std::hypot(place.x, place.y), sense_about(spacetime_, scene_.disc->sense));
+        const auto orbit =
+            circular_orbit(spacetime_, std::hypot(place.x, place.y), sense_about(spacetime_, scene_.disc->sense));
         const double turned = orbit ? orbit->omega * time : 0.0, c = std::cos(turned), s = std::sin(turned);
         return {c * place.x - s * place.y, s * place.x + c * place.y, 0.0};
     }

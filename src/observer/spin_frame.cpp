@@ -34,12 +34,12 @@ std::optional<SpinFrame> static_frame(const SpinPlace& p) {
 
 // In Carter's frame, without motion along theta, r stays where 2 r Delta (1 + v^2) + 4 r a sin(theta) sqrt(Delta) v = (2 r - 1) Sigma, 2 r - 1 = Delta': the
 // derivative of (E (r^2 + a^2) - a L)^2 - Delta (r^2 + K) with K = a^2 cos^2 + (L/sin - a E sin)^2, over gamma^2.
-std::optional<SpinFrame> orbiting_frame(const SpinPlace& p, bool with_spin) {
+std::optional<SpinFrame> orbiting_frame(const SpinPlace& p, bool eastward) {
     if (!(p.delta > 0.0)) return std::nullopt;
     const double root = std::sqrt(p.delta), half = p.a * p.sine;
     const double under = half * half - p.delta + (1.0 - 0.5 / p.r) * p.sigma;
     if (!(under > 0.0)) return std::nullopt;
-    const double azimuthal_velocity = (-half + (with_spin ? 1.0 : -1.0) * std::sqrt(under)) / root;
+    const double azimuthal_velocity = (-half + (eastward ? 1.0 : -1.0) * std::sqrt(under)) / root;
     if (!(std::fabs(azimuthal_velocity) < 1.0)) return std::nullopt;
     return SpinFrame{frame_at_rest(p.delta / p.sigma), azimuthal_velocity};
 }

@@ -39,8 +39,8 @@ SpinFrame zamo_frame(const SpinPlace& place);    // without angular momentum: go
 std::optional<SpinFrame> static_frame(
     const SpinPlace& place);  // at rest against the far sky; nothing in the ergosphere
 // On the geodesic of constant r that is never further from the equatorial plane than here: a circle in it, its relatives elsewhere.
-// With the spin, or against it. Nothing at and inside the light's own such orbit.
-std::optional<SpinFrame> orbiting_frame(const SpinPlace& place, bool with_spin);
+// Towards growing phi, or towards falling phi. Nothing at and inside the light's own such orbit.
+std::optional<SpinFrame> orbiting_frame(const SpinPlace& place, bool eastward);
 // Anywhere outside the inner horizon: falling with this energy > 0 per rest mass, without angular momentum, along theta = constant for now
 // (energy 1: for ever). Where energy^2 is below lapse2(place) there is none.
 SpinFrame falling_frame(const SpinPlace& place, double energy);

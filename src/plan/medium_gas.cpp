@@ -55,7 +55,8 @@ std::vector<SceneKey> medium_gas_keys() {
 }
 
 void gas_faults(const Spacetime& spacetime, const Scene& scene, std::vector<SceneFault>& faults) {
-    if (spacetime.bends_light() && !circular_orbit(spacetime, scene.medium->inner, sense_about(spacetime, scene.medium->gas.sense)))
+    if (spacetime.bends_light() &&
+        !circular_orbit(spacetime, scene.medium->inner, sense_about(spacetime, scene.medium->gas.sense)))
         faults.push_back({"medium.inner", fmt::format("no circular orbit at {}", scene.medium->inner),
                           "a radius outside the photon sphere"});
 }

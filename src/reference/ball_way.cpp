@@ -167,7 +167,9 @@ std::function<Vec3(double t)> ball_way(const Metric& metric, const BallSpec& bal
     switch (ball.motion) {
         case BallMotion::kStill: break;
         case BallMotion::kOrbit:
-            return [=, omega = metric.kepler_rate(r, metric.sense(ball.sense))](double t) { return turned(e_phi, r, omega * t); };
+            return [=, omega = metric.kepler_rate(r, metric.sense(ball.sense))](double t) {
+                return turned(e_phi, r, omega * t);
+            };
         case BallMotion::kGeodesic: {
             // velocity: (e_r, e_theta, e_phi) of one at rest there; E = gamma sqrt(A), P = A p_r = gamma v_r sqrt(A).
             const Vec3 v = ball.velocity, e_theta = cross(e_phi, e_r), across = v.y * e_theta + v.z * e_phi;

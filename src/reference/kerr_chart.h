@@ -71,7 +71,8 @@ struct KerrChart : KerrHole {
     double tortoise_ahead(double r) const {                           // r_* - r
         return std::log(r) + std::log1p(-outer() / r) + horizon_area(inner()) * delta_ahead(r);
     }
-    double delta_ahead(double r) const {  // less the integral of dr/Delta from here on, also where both horizons are one
+    double delta_ahead(
+        double r) const {  // less the integral of dr/Delta from here on, also where both horizons are one
         const double root = horizons_apart(), open = r - inner();
         return root > 0 ? std::log1p(-root / open) / root : -1 / open;
     }

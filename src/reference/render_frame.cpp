@@ -113,11 +113,12 @@ Vec3 shifted(Vec3 light, const Scene& scene, double g) {
 Paint pattern_at(const Looks& looks, const DiscHit& hit) {
     const DiscSpec& disc = *looks.scene.disc;
     if (disc.material.texture == TextureKind::kGas) return gas_paint(looks.tracer.matter(), looks.scene, hit);
-    Paint paint =
-        disc.flow == DiscFlowKind::kStill
-            ? disc_pattern(disc, looks.pictures.disc, hit.x, hit.y)
-            : flowing_pattern(disc, looks.pictures.disc, looks.tracer.matter().kepler_rate(std::hypot(hit.x, hit.y), looks.tracer.matter().sense(disc.sense)),
-                              looks.scene.time - hit.delay, hit.x, hit.y);
+    Paint paint = disc.flow == DiscFlowKind::kStill
+                      ? disc_pattern(disc, looks.pictures.disc, hit.x, hit.y)
+                      : flowing_pattern(disc, looks.pictures.disc,
+                                        looks.tracer.matter().kepler_rate(std::hypot(hit.x, hit.y),
+                                                                          looks.tracer.matter().sense(disc.sense)),
+                                        looks.scene.time - hit.delay, hit.x, hit.y);
     paint.colour = paint.alpha * paint.colour;
     return paint;
 }
@@ -125,7 +126,8 @@ Paint pattern_at(const Looks& looks, const DiscHit& hit) {
 // A spot is a Gaussian about its middle, which moves on a circle: its frequency there is p . u, u = u^t (1, 0, 0, Omega).
 Vec3 spot_colour(const Metric& matter, const Scene& scene, const SpotSpec& spot, const TracedRay& ray,
                  const DiscHit& hit) {
-    const double rate = matter.kepler_rate(spot.r, matter.sense(spot.sense)), t = scene.time - hit.delay, rest = matter.rest_lapse(spot.r);
+    const double rate = matter.kepler_rate(spot.r, matter.sense(spot.sense)), t = scene.time - hit.delay,
+                 rest = matter.rest_lapse(spot.r);
     double least = INFINITY;
     for (int i = 0; i < spot.count; ++i) {
         const double at = spot.phase + rate * t + 2 * M_PI * i / spot.count;

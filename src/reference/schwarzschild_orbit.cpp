@@ -350,7 +350,9 @@ public:
     std::optional<double> horizon_radius() const override { return 1.0; }
     double lapse(double r) const override { return std::sqrt((r - 1) / r); }
     double lapse2_slope(double r) const override { return 1 / (r * r); }
-    double kepler_rate(double r, double sense) const override { return sense * std::sqrt(0.5 / r) / r; }  // Kepler's third law, exactly
+    double kepler_rate(double r, double sense) const override {
+        return sense * std::sqrt(0.5 / r) / r;
+    }  // Kepler's third law, exactly
     Result<std::unique_ptr<Orbit>> from_reduced(const ReducedRay& ray) const override {
         const double q = std::max(ray.q, kLeastQ), zeta0 = ray.zeta0;
         double p = 0, delta2 = 0;

@@ -180,7 +180,8 @@ void put_moving(FrameData& frame, const FramePlan& plan) {
     const double lives = late_time(plan) / disc->flow_life;
     const double copy = std::floor(lives);
     frame.disc_winding = {lives - copy, 1.0 / disc->flow_life, first, second};
-    frame.disc_copy = {copy - kCopies * std::floor(copy / kCopies), sign_of(sense_about(*plan.matter, disc->sense)), 0, 0};
+    frame.disc_copy = {copy - kCopies * std::floor(copy / kCopies), sign_of(sense_about(*plan.matter, disc->sense)), 0,
+                       0};
     if (!plan.effects.contains(Effect::kRingRates)) return;
     const DiscRate rate = disc_rate(*plan.matter, disc->inner, disc->outer);
     const auto& t = rate.terms;

@@ -122,9 +122,9 @@ void FrameInputs::load_heat(const FrameTables& tables) {
     if (!accretion)
         hottest_ = {};
     else if (!(hottest_.by == accretion && hottest_.about == scene.spacetime && hottest_.sense == sense))
-        hottest_ = {
-            accretion, scene.spacetime, sense,
-            disc_temperature_K(disc_flux_peak(tables.matter(), sense).flux, accretion->mass_suns, accretion->rate_eddington)};
+        hottest_ = {accretion, scene.spacetime, sense,
+                    disc_temperature_K(disc_flux_peak(tables.matter(), sense).flux, accretion->mass_suns,
+                                       accretion->rate_eddington)};
     const auto key = std::make_tuple(scene.spacetime, sense, scene.disc->inner, scene.disc->outer, scene.light.doppler,
                                      scene.light.gravity, scene.light.lensing);
     if (flow_key_ == key) return;

@@ -130,8 +130,8 @@ void put_disc(FrameData& frame, const FramePlan& plan, const TextureFacts& textu
     frame.disc_surface = {disc.opacity, disc.edge, disc.brightness, static_cast<double>(plan.passed)};
     if (disc.material.texture == TextureKind::kGas)
         frame.disc_gas = {disc.gas.contrast,
-                          sign_of(sense_about(*plan.matter, disc.sense)) * disc.gas.winding / (2 * M_PI), disc.rotation / (2 * M_PI),
-                          late_time(plan)};
+                          sign_of(sense_about(*plan.matter, disc.sense)) * disc.gas.winding / (2 * M_PI),
+                          disc.rotation / (2 * M_PI), late_time(plan)};
     frame.disc_gas_colour = {disc.brightness * disc.material.colour, 0};
     const double hottest_K = textures.disc_temperature_K.value_or(disc.temperature_K);
     if (disc.emission == DiscEmission::kThermal)

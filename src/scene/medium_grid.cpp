@@ -119,7 +119,7 @@ Status MediumGrid::read_head(Head& head) {
     kerr_schild_ = system->front() == "kerr-schild";
     if (!kerr_schild_ && system->front() != "boyer-lindquist") return head.wrong("other coordinates", kSystems);
     TRY(spin, head.words("spin", 1, "spin A"));
-    TRY(a, head.number(spin->front(), "spin", 0, 1));
+    TRY(a, head.number(spin->front(), "spin", -1, 1));
     spin_ = *a;
 
     TRY(rings, head.words("r", 3, "r FIRST LAST COUNT"));

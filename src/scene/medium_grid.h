@@ -3,7 +3,7 @@
 // The file begins with these lines, in this order:
 //     nullscope-medium 1
 //     coordinates kerr-schild        or boyer-lindquist: whose azimuth phi is
-//     spin A                         of the hole, over its mass; [0, 1]
+//     spin A                         of the hole, over its mass; [-1, 1]
 //     r FIRST LAST COUNT             nodes at equal steps of ln r; r_s
 //     theta FIRST LAST COUNT         nodes at equal steps of the polar angle; rad
 //     phi FIRST COUNT                nodes all round, at equal steps of the azimuth; rad

@@ -66,11 +66,10 @@ struct CameraSpec {
     // angle that the picture spans, rad, across its width, of a fisheye across its smaller side; and 1. Cube: 6, three faces, and 1.
     double plane_width = 1.1547005383792517;
     double focal_distance = 1.0;
-    double shift_x = 0.0,
-           shift_y = 0.0;  // of the picture's middle from the line of sight, right and up, of its width and height
-    int width = 1280, height = 720;  // pixels ...
-    double pixel_aspect = 1.0;       // ... and the width of one over its height
-    double exposure_ev = 0.0;        // display brightness is multiplied by 2^exposure
+    double shift_x = 0.0, shift_y = 0.0;  // the picture's middle off the line of sight, right and up, of its size
+    int width = 1280, height = 720;       // pixels ...
+    double pixel_aspect = 1.0;            // ... and the width of one over its height
+    double exposure_ev = 0.0;             // display brightness is multiplied by 2^exposure
     Stereo stereo = Stereo::kOff;
     double eye_distance = 0.1;     // r_s
     std::filesystem::path warp{};  // mesh that lays the projection's picture out anew (scene/warp_mesh.h); empty: none
@@ -123,8 +122,7 @@ struct Material {
 };
 
 // kStars: the catalogue drawn into a picture of the sky. kPoints: its stars as points, over the Milky Way. kNebula: another
-// place, by formula. From kPlain on:
-// SkySpec::material, with the TextureKind of the same name.
+// place, by formula. From kPlain on: SkySpec::material, with the TextureKind of the same name.
 enum class SkyKind { kStars, kImage, kBlack, kNebula, kPoints, kPlain, kChecker, kGrid, kStripes, kNoise, kFormula };
 inline constexpr const char* kSkyKindNames[] = {"stars",   "image", "black",   "nebula", "points", "plain",
                                                 "checker", "grid",  "stripes", "noise",  "formula"};
@@ -373,9 +371,8 @@ struct SplitLabels {
 struct Scene {
     std::string name, description;
     SpacetimeSpec spacetime;
-    std::optional<SpacetimeSpec>
-        split;                // split screen (scene/split.h): the right half shows the same scene in this spacetime
-    bool split_delay = true;  // light-travel time there
+    std::optional<SpacetimeSpec> split;  // split screen (scene/split.h): spacetime of the right half
+    bool split_delay = true;             // light-travel time there
     SplitLabels split_labels;
     ObjectSpec object;
     CameraSpec camera;

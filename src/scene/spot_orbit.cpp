@@ -11,7 +11,8 @@ std::optional<double> spot_period(const Scene& scene) {
     if (scene.spots.empty()) return {};
     const SpotSpec& spot = scene.spots.front();
     const auto spacetime = make_spacetime(scene.spacetime.metric, scene.spacetime.parameters);
-    const auto orbit = spacetime ? circular_orbit(**spacetime, spot.r, sense_about(**spacetime, spot.sense)) : std::nullopt;
+    const auto orbit =
+        spacetime ? circular_orbit(**spacetime, spot.r, sense_about(**spacetime, spot.sense)) : std::nullopt;
     if (!orbit) return {};
     return 2.0 * M_PI / std::fabs(orbit->omega);
 }

@@ -347,8 +347,8 @@ constexpr SceneKey kKeys[] = {
      "Temperature of the black body that gives its colour.", [](auto& s) { return &s.spots.back().temperature_K; }},
     {"spot", "count", KeyType::kWhole, "", "1", closed(1.0, 64.0), "",
      "Number of spots, evenly spaced along the orbit.", [](auto& s) { return &s.spots.back().count; }},
-    {"spot", "sense", KeyType::kChoice, "", "eastward", kNoRange, kOrbitSenses, "Which way it goes round, as disc.sense.",
-     [](auto& s) { return &s.spots.back().sense; }},
+    {"spot", "sense", KeyType::kChoice, "", "eastward", kNoRange, kOrbitSenses,
+     "Which way it goes round, as disc.sense.", [](auto& s) { return &s.spots.back().sense; }},
 
     on_off_key("light", "shift", "on", "Whether Doppler and gravitational shift change the colour of thermal emission.",
                [](auto& s) { return &s.light.shift; }),

@@ -13,7 +13,7 @@ namespace {
 constexpr double kBeyondOrbits =
     2.0;  // r_s from the outer horizon: the outermost orbit, against the fastest spin, is at 4 M
 constexpr double kInHorizon = 1e-300, kInExtremal = 10.0 * AxialMetric::kLeastApart;  // r_s from it
-constexpr double kRounding = 1e-15;    // of a radius
+constexpr double kRounding = 1e-15;                                                   // of a radius
 
 // The integral over a half orbit of what has the period pi in psi; f of sin^2(psi).
 template <class F>

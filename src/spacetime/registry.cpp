@@ -97,7 +97,10 @@ std::span<const MetricEntry> metric_registry() {
            "Charge Q/M: 0 is Schwarzschild, 1 the extremal hole; above there is no horizon, and above 1.06066 no "
            "photon sphere."}},
          charged},
-        {"kerr", "A rotating black hole.", {{"spin", 0.9, -1.0, 1.0, "Spin a/M, below 0 about -z: 0 is Schwarzschild."}}, rotating},
+        {"kerr",
+         "A rotating black hole.",
+         {{"spin", 0.9, -1.0, 1.0, "Spin a/M, below 0 about -z: 0 is Schwarzschild."}},
+         rotating},
         {"kerr-newman",
          "A rotating black hole with electric charge.",
          {{"spin", 0.6, -1.0, 1.0, "Spin a/M, below 0 about -z: 0 is Reissner-Nordstrom."},

@@ -38,7 +38,7 @@ struct DiscLine {
     // Of each of these radii, in any unit.
     std::function<std::vector<double>(const std::vector<double>& radii)> emissivity;
     Limb limb = Limb::kIsotropic;
-    Sense sense = Sense::kEastward;  // of its matter
+    Sense sense = Sense::kEastward;                            // of its matter
     std::function<LinePolarisation(double r)> polarisation{};  // of light from this radius; nothing: it has none
 };
 

@@ -36,7 +36,9 @@ double slope(const Spacetime& spacetime, Function f, double r) {
 // Of (E - Omega L) L' dr between two radii: eight points of Gauss.
 double gained_between(const Spacetime& spacetime, Sense sense, double a, double b) {
     return gauss_rule(kEightNode, kEightWeight, a, b, [&](double r) {
-        return ring_at(spacetime, sense, r).gain * slope(spacetime, [&](double at) { return ring_at(spacetime, sense, at).momentum; }, r);
+        return ring_at(spacetime, sense, r).gain *
+               slope(
+                   spacetime, [&](double at) { return ring_at(spacetime, sense, at).momentum; }, r);
     });
 }
 
@@ -60,7 +62,8 @@ std::vector<double> disc_flux(const Spacetime& spacetime, const std::vector<doub
             from = to;
         }
         const Ring ring = ring_at(spacetime, sense, r);
-        const double omega_slope = slope(spacetime, [&](double at) { return ring_at(spacetime, sense, at).omega; }, r);
+        const double omega_slope = slope(
+            spacetime, [&](double at) { return ring_at(spacetime, sense, at).omega; }, r);
         flux[i] = std::max(-omega_slope * gained / (4.0 * M_PI * r * ring.gain * ring.gain), 0.0);
     }
     return flux;

@@ -11,7 +11,10 @@ namespace nullscope {
 
 DistantPolarisation::DistantPolarisation(std::shared_ptr<const Spacetime> spacetime, double inclination, Vec3 field,
                                          std::optional<double> fraction, Sense sense)
-    : spacetime_(std::move(spacetime)), flow_(*spacetime_, sense), field_{field.x, -field.z, field.y}, fraction_(fraction) {
+    : spacetime_(std::move(spacetime)),
+      flow_(*spacetime_, sense),
+      field_{field.x, -field.z, field.y},
+      fraction_(fraction) {
     if (const AxialMetric* axial = spacetime_->axial()) a_ = axial->a();
     shift_ = a_ * std::sin(inclination);
 }

@@ -26,16 +26,20 @@ Draft with_disc(Draft draft, OrbitSense sense) {
 
 TEST_CASE("kerr sense: frames of spins of either sign are the reference's, disc and all") {
     std::vector<FrameCase> cases;
-    for (const auto& [spin, charge] : {std::pair{-0.9, 0.0}, {-0.5, 0.0}, {-1.0, 0.0}, {1.0, 0.0}, {1 - 1e-9, 0.0},
-                                       {-0.6, 0.8}, {0.6, std::sqrt(0.64 - 1e-9)}}) {
+    for (const auto& [spin, charge] : {std::pair{-0.9, 0.0},
+                                       {-0.5, 0.0},
+                                       {-1.0, 0.0},
+                                       {1.0, 0.0},
+                                       {1 - 1e-9, 0.0},
+                                       {-0.6, 0.8},
+                                       {0.6, std::sqrt(0.64 - 1e-9)}}) {
         const std::string name = fmt::format("a = {} Q = {:.9g}", spin, charge);
         cases.push_back({name + " sky", turning(spin, charge).sky(SkyKind::kGrid)});
         cases.push_back({name + " disc", with_disc(turning(spin, charge), OrbitSense::kEastward)});
     }
     Draft fall = turning(-0.9).by(ObserverKind::kRain).r(0.7);
     cases.push_back({"a = -0.9 from inside", fall.sky(SkyKind::kGrid)});
-    AgainstReference judge("kerr sense",
-                           {.sky = kEveryRay_px, .place = kEveryRay_px, .of_width = 1920});
+    AgainstReference judge("kerr sense", {.sky = kEveryRay_px, .place = kEveryRay_px, .of_width = 1920});
     on_one_context([&](GpuSession& session) { judge.frames(session, Selection(3), cases); });
 }
 
@@ -46,8 +50,8 @@ TEST_CASE("kerr sense: the other spin turned is the same picture") {
             Draft one = with_disc(turning(0.9), sense);
             one.scene.camera.phi = 0.4;
             one.scene.sky.kind = SkyKind::kBlack, one.scene.picture.refine = false;
-            Draft other = with_disc(turning(-0.9), sense == OrbitSense::kEastward ? OrbitSense::kWestward
-                                                                                  : OrbitSense::kEastward);
+            Draft other = with_disc(turning(-0.9),
+                                    sense == OrbitSense::kEastward ? OrbitSense::kWestward : OrbitSense::kEastward);
             other.scene.sky.kind = SkyKind::kBlack, other.scene.picture.refine = false;
             CameraSpec& camera = other.scene.camera;
             camera.theta = M_PI - one.scene.camera.theta, camera.phi = -0.4, camera.roll = M_PI;
@@ -61,8 +65,8 @@ TEST_CASE("kerr sense: the other spin turned is the same picture") {
                     most = std::max(most, std::fabs(b.at(x, y)[0] - light) / (light + 0.01));
                     wrong_most = std::max(wrong_most, std::fabs(wrong.at(x, y)[0] - light) / (light + 0.01));
                 }
-            fmt::print("kerr sense: the other spin turned is off by {:.1e} of a pixel, the other sense by {:.1e}\n", most,
-                       wrong_most);
+            fmt::print("kerr sense: the other spin turned is off by {:.1e} of a pixel, the other sense by {:.1e}\n",
+                       most, wrong_most);
             CHECK(most < 1e-3);
             CHECK(wrong_most > 0.1);
         }

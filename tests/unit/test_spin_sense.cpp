@@ -24,7 +24,7 @@ namespace {
 
 using namespace nullscope;
 
-std::shared_ptr<const Spacetime> spinning(double spin) {
+std::shared_ptr<const Spacetime> hole_of(double spin) {
     return *make_spacetime("kerr", MetricParameters{{"spin", spin}});
 }
 
@@ -63,7 +63,7 @@ double flux_by_sum(double a, double r) {
 TEST_CASE("spin sense: last stable orbits and circles of light of either sense, closed forms, by both") {
     for (const double spin : {-0.998, -0.9, -0.5, -0.1, 0.3, 0.9}) {
         CAPTURE(spin);
-        const auto spacetime = spinning(spin);
+        const auto spacetime = hole_of(spin);
         CHECK(std::fabs(2 * *innermost_stable_orbit(*spacetime) / last_stable(spin) - 1) < 1e-12);
         CHECK(std::fabs(2 * *innermost_stable_orbit(*spacetime, Sense::kWestward) / last_stable(-spin) - 1) < 1e-12);
         CHECK(std::fabs(2 * light_orbit(*spacetime) / light_circle(spin) - 1) < 1e-9);
@@ -77,12 +77,12 @@ TEST_CASE("spin sense: last stable orbits and circles of light of either sense, 
                   1e-6);
         }
     }
-    CHECK(std::fabs(2 * *landmarks_of(*spinning(-0.5)).isco - 7.5546) < 5e-5);
+    CHECK(std::fabs(2 * *landmarks_of(*hole_of(-0.5)).isco - 7.5546) < 5e-5);
 }
 
 TEST_CASE("spin sense: words of a scene are Bardeen, Press and Teukolsky's circles of that sense") {
     for (const double spin : {-0.7, 0.7}) {
-        const auto spacetime = spinning(spin);
+        const auto spacetime = hole_of(spin);
         const auto metric = std::move(*reference::make_metric({"kerr", {{"spin", spin}}}));
         for (const auto& [sense, sign] : {std::pair{OrbitSense::kEastward, 1.0}, std::pair{OrbitSense::kWestward, -1.0},
                                           std::pair{OrbitSense::kPrograde, std::copysign(1.0, spin)},
@@ -103,7 +103,7 @@ TEST_CASE("spin sense: words of a scene are Bardeen, Press and Teukolsky's circl
 
 TEST_CASE("spin sense: the flux of a retrograde disc is Page and Thorne's integral, by both") {
     for (const double spin : {-0.998, -0.5}) {
-        const auto spacetime = spinning(spin);
+        const auto spacetime = hole_of(spin);
         const auto metric = std::move(*reference::make_metric({"kerr", {{"spin", spin}}}));
         const reference::DiscLight light(*metric, {}, {});
         for (const double m : {10.0, 15.0, 60.0}) {
@@ -111,7 +111,7 @@ TEST_CASE("spin sense: the flux of a retrograde disc is Page and Thorne's integr
             CAPTURE(m);
             const double exact = flux_by_sum(spin, m);
             CHECK(std::fabs(disc_flux(*spacetime, {m / 2}).front() / 4 / exact - 1) < 1e-6);
-            CHECK(std::fabs(disc_flux(*spinning(-spin), {m / 2}, Sense::kWestward).front() / 4 / exact - 1) < 1e-6);
+            CHECK(std::fabs(disc_flux(*hole_of(-spin), {m / 2}, Sense::kWestward).front() / 4 / exact - 1) < 1e-6);
             CHECK(std::fabs(light.flux(m / 2) / 4 / exact - 1) < 1e-6);
         }
     }
@@ -121,9 +121,10 @@ TEST_CASE("spin sense: all turned about the x axis by half a turn is the other s
     constexpr double kTheta = 1.1;
     for (const double spin : {0.3, 0.9, 0.9999}) {
         CAPTURE(spin);
-        const auto one = spinning(spin), other = spinning(-spin);
+        const auto one = hole_of(spin), other = hole_of(-spin);
         for (const double psi : {0.0, 0.7, 1.9, M_PI}) {
-            const PhotonOrbit a = *photon_orbit(*one, kTheta, psi), b = *photon_orbit(*other, M_PI - kTheta, M_PI - psi);
+            const PhotonOrbit a = *photon_orbit(*one, kTheta, psi),
+                              b = *photon_orbit(*other, M_PI - kTheta, M_PI - psi);
             CHECK(std::fabs(a.r / b.r - 1) < 1e-13);
             CHECK(std::fabs(a.lambda + b.lambda) < 1e-12);
             CHECK(std::fabs(a.drag + b.drag) < 1e-11);
@@ -149,11 +150,11 @@ TEST_CASE("spin sense: orbit and counter-orbit go east and west, about holes of 
     for (const double spin : {-0.8, 0.8}) {
         CameraSpec camera;
         camera.r = 6, camera.theta = M_PI / 2, camera.observer = ObserverKind::kOrbit;
-        CHECK(observer_of(*spinning(spin), camera)->azimuthal_velocity > 0);
+        CHECK(observer_of(*hole_of(spin), camera)->azimuthal_velocity > 0);
         camera.observer = ObserverKind::kCounterOrbit;
-        CHECK(observer_of(*spinning(spin), camera)->azimuthal_velocity < 0);
+        CHECK(observer_of(*hole_of(spin), camera)->azimuthal_velocity < 0);
         camera.observer = ObserverKind::kStatic;  // against the dragging, as Carter's frame has it
-        CHECK(observer_of(*spinning(spin), camera)->azimuthal_velocity * spin < 0);
+        CHECK(observer_of(*hole_of(spin), camera)->azimuthal_velocity * spin < 0);
     }
 }
 
@@ -166,7 +167,7 @@ TEST_CASE("spin sense: line profile of a = -0.5, bins to 0.5 % of the largest") 
         const double at = std::log(r / kInner) / std::log(kOuter / kInner);
         return at > 0 && at < 1 ? std::pow(std::sin(M_PI * at), 2) / (r * r) : 0.0;
     };
-    const DistantLight light = *DistantLight::make(spinning(kSpin), kInclination);
+    const DistantLight light = *DistantLight::make(hole_of(kSpin), kInclination);
     const DiscLine line{kInner, kOuter, [&](const std::vector<double>& radii) {
                             std::vector<double> values;
                             for (const double r : radii) values.push_back(emissivity(r));
@@ -194,12 +195,14 @@ TEST_CASE("spin sense: line profile of a = -0.5, bins to 0.5 % of the largest") 
             const double x = (i + 0.5) / kWithin, y = (j + 0.5) / kWithin, u = x - std::floor(x), v = y - std::floor(y);
             const double* at = &met[static_cast<std::size_t>(x) * (kAngles + 1) + static_cast<std::size_t>(y)];
             if (!(std::min({at[0], at[1], at[kAngles + 1], at[kAngles + 2]}) > 0)) continue;
-            const double r = (1 - u) * ((1 - v) * at[0] + v * at[1]) + u * ((1 - v) * at[kAngles + 1] + v * at[kAngles + 2]);
+            const double r =
+                (1 - u) * ((1 - v) * at[0] + v * at[1]) + u * ((1 - v) * at[kAngles + 1] + v * at[kAngles + 2]);
             if (!(emissivity(r) > 0)) continue;
             const double rho = kLeast + x * step, lambda = -2 * rho * std::cos(y * turn) * std::sin(kInclination),
                          m = 2 * r, root3 = m * std::sqrt(m);
             const double u_t = (1 + kSpin / root3) / std::sqrt(1 - 3 / m + 2 * kSpin / root3),
-                         g = 1 / (u_t * (1 - circle(kSpin, m).omega * lambda)), photons = g * g * g * emissivity(r) * rho;
+                         g = 1 / (u_t * (1 - circle(kSpin, m).omega * lambda)),
+                         photons = g * g * g * emissivity(r) * rho;
             const int bin = static_cast<int>((g - kFrom) / (kTo - kFrom) * kBins);
             REQUIRE(bin >= 0);
             REQUIRE(bin < kBins);
@@ -215,7 +218,7 @@ TEST_CASE("spin sense: line profile of a = -0.5, bins to 0.5 % of the largest") 
 TEST_CASE("spin sense: up to extremal holes, and not beyond") {
     for (const double spin : {1.0, -1.0, 1 - 1e-9}) {
         CAPTURE(spin);
-        const auto spacetime = spinning(spin);
+        const auto spacetime = hole_of(spin);
         CHECK(std::fabs(*spacetime->horizon_radius() - 0.5) < 3e-5);
         CHECK(std::fabs(2 * *innermost_stable_orbit(*spacetime, Sense::kWestward) / last_stable(-spin) - 1) < 2e-5);
         CHECK(std::fabs(2 * *innermost_stable_orbit(*spacetime) / last_stable(spin) - 1) < 2e-5);
