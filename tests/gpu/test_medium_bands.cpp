@@ -132,9 +132,9 @@ Scene screen_scene(double along, bool before) {
 
 // RM = e^3/(2 pi m^2 c^4) times the integral of n B along the way, here of a Gaussian.
 double screen_rm(const Scene& scene, double along) {
-    constexpr double kCharge = 4.80320471e-10, kMass = 9.1093837e-28, kLight = 2.99792458e10;
+    constexpr double kCharge = 4.80320471e-10, kMass = 9.1093837e-28, kSpeed = 2.99792458e10;
     const double length_cm = 100 * schwarzschild_radius_m(*scene.object.mass_suns) * std::sqrt(M_PI * kScreenWidth2);
-    return 1e4 * std::pow(kCharge, 3) / (2 * M_PI * std::pow(kMass, 2) * std::pow(kLight, 4)) * kScreenDensity *
+    return 1e4 * std::pow(kCharge, 3) / (2 * M_PI * std::pow(kMass, 2) * std::pow(kSpeed, 4)) * kScreenDensity *
            kScreenField * along * length_cm;
 }
 

@@ -43,7 +43,7 @@ TEST_CASE("medium grid: files that are none are refused with their line or node"
         {std::string(1000, 'x'), 1, "\"nullscope-medium\" is missing", "nullscope-medium 1"},
         {changed(good, "medium 1", "medium 2"), 1, "another version", "nullscope-medium 1"},
         {changed(good, "kerr-schild", "cartesian"), 2, "other coordinates", "boyer-lindquist"},
-        {changed(good, "spin 0", "spin 1.5"), 3, "spin = 1.5 is out of range", "[0, 1]"},
+        {changed(good, "spin 0", "spin 1.5"), 3, "spin = 1.5 is out of range", "[-1, 1]"},
         {changed(good, "spin 0", "charge 0"), 3, "\"spin\" is expected", "spin A"},
         {changed(good, "r 1.1", "r 0"), 4, "first r = 0", "[0.001"},
         {changed(good, "1.1 10 5", "1.1 1 5"), 4, "last r = 1", "[1.1011, 1000000]"},
