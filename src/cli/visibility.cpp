@@ -138,7 +138,8 @@ std::string minimum_words(const SkySum& picture, const VisibilityRows& rows) {
     if (!rows.is_line) return "";
     std::vector<double> amplitudes;
     for (const Visibility& found : rows.found) amplitudes.push_back(std::abs(found[0]));
-    const auto least = first_minimum([&](Baseline b) { return std::abs(picture.at(b)[0]); }, rows.baselines, amplitudes);
+    const auto least =
+        first_minimum([&](Baseline b) { return std::abs(picture.at(b)[0]); }, rows.baselines, amplitudes);
     if (!least) return "";
     return fmt::format("; first minimum of |V| at {:.7g} Gλ: {:.3g}",
                        1e-9 * std::hypot(least->baseline.u, least->baseline.v), least->amplitude);

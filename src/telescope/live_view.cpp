@@ -125,7 +125,8 @@ LiveView live_view(const SkyPicture& picture, const Observation& day, const Live
         line.push_back({length * std::sin(wish.angle), length * std::cos(wish.angle)});
     }
     for (const Visibility& seen : visibility.at(line)) view.amplitudes.push_back(std::abs(seen[0]));
-    view.minimum = first_minimum([&](Baseline b) { return std::abs(visibility.at(b)[0]); }, line, view.amplitudes, kSections);
+    view.minimum =
+        first_minimum([&](Baseline b) { return std::abs(visibility.at(b)[0]); }, line, view.amplitudes, kSections);
     view.plane = visibility_plane(picture, wish.longest, wish.plane);
     add_phases(visibility, day, wish, view);
     return view;

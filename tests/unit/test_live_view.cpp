@@ -38,7 +38,7 @@ SkyPicture ring_of(double diameter_px, double pixel, double east = 0) {
     return picture;
 }
 
-Scene scene_of(const std::string& text) {
+Scene live_scene(const std::string& text) {
     const auto scene = parse_scene(text, "test.toml", "");
     REQUIRE_MESSAGE(scene, scene.error().message());
     return *scene;
@@ -161,7 +161,7 @@ TEST_CASE("beam: that of a longest baseline keeps what is said at half of it and
 
 TEST_CASE("live source: a pixel is as large as the object's mass and distance make it, however far the camera is") {
     const auto at = [](double r, const char* object) {
-        return scene_of("[camera]\nr = " + std::to_string(r) + "\nfov = 2.0\nsize = [128, 128]\n" + object);
+        return live_scene("[camera]\nr = " + std::to_string(r) + "\nfov = 2.0\nsize = [128, 128]\n" + object);
     };
     const char* known = "[object]\nname = \"sgr-a\"\n";
     const auto near = live_source(at(500, known)), far = live_source(at(1000, known));
@@ -178,7 +178,7 @@ TEST_CASE("live source: a pixel is as large as the object's mass and distance ma
     REQUIRE(none);
     CHECK((none->assumed_object && none->rough && none->object == "M87*"));
     CHECK(none->hours(1) == doctest::Approx(17.787).epsilon(1e-3));  // 2 G M/c^3 of 6.5e9 suns
-    CHECK_FALSE(live_source(scene_of("[spacetime]\nmetric = \"ellis\"\n[camera]\nr = 10.0\n")));
+    CHECK_FALSE(live_source(live_scene("[spacetime]\nmetric = \"ellis\"\n[camera]\nr = 10.0\n")));
 }
 
 TEST_CASE("live source: light is in Jy where the scene's is, and else adds up to 1") {
@@ -195,7 +195,7 @@ TEST_CASE("live source: light is in Jy where the scene's is, and else adds up to
 TEST_CASE("live telescope: a day of a view at rest, then the scene's time as it goes on") {
     LiveTelescope telescope(array());
     CHECK_FALSE(telescope.has_light());
-    Scene scene = scene_of("[camera]\nr = 1e5\nfov = 0.0135\nsize = [64, 64]\n[object]\nname = \"m87\"\n");
+    Scene scene = live_scene("[camera]\nr = 1e5\nfov = 0.0135\nsize = [64, 64]\n[object]\nname = \"m87\"\n");
     Image<float> light(64, 64, 3);
     light.at(20, 30)[1] = 1, light.at(40, 41)[1] = 0.6F, light.at(33, 12)[1] = 0.4F;
     REQUIRE(telescope.look(scene, light, false));
@@ -227,7 +227,7 @@ TEST_CASE("live telescope: a day of a view at rest, then the scene's time as it 
 
 TEST_CASE("live telescope: the picture is wished through a beam, or as the longest baseline resolves it") {
     LiveTelescope telescope(array());
-    const Scene scene = scene_of("[camera]\nr = 1e5\nfov = 0.0135\nsize = [64, 64]\n[object]\nname = \"m87\"\n");
+    const Scene scene = live_scene("[camera]\nr = 1e5\nfov = 0.0135\nsize = [64, 64]\n[object]\nname = \"m87\"\n");
     Image<float> light(64, 64, 3);
     light.at(32, 32)[2] = 1;
     REQUIRE(telescope.look(scene, light, false));
