@@ -58,9 +58,10 @@ double longest_of(const VisibilityRows& rows) {
     return longest;
 }
 
-// What it is like with half as many pixels a side. Nothing: they are no whole number.
+// What the pixels' light is with half as many of them a side; chart, share: of parts. Nothing: they are no whole number.
 Result<std::optional<SkyPicture>> drawn_coarser(const Shot& shot, Session* session, const Exposure& shown,
-                                                const DrawOptions& drawing) {
+                                                const DrawOptions& drawing, const std::optional<RingChart>& chart,
+                                                double share) {
     const CameraSpec& camera = shown.scene.camera;
     if (camera.width % 2 != 0 || camera.height % 2 != 0) return std::optional<SkyPicture>();
     const Exposure coarse = changed(shown, [](Scene scene) {
@@ -69,6 +70,8 @@ Result<std::optional<SkyPicture>> drawn_coarser(const Shot& shot, Session* sessi
     });
     TRY(captured, draw_shot(shot, session, coarse, drawing, false));
     TRY(light, sky_light(coarse.scene, *captured));
+    if (chart) take_band(coarse.scene.camera, *chart, light->picture);
+    for (double& value : light->picture.flux.data) value *= share;
     return std::optional(std::move(light->picture));
 }
 
@@ -93,15 +96,15 @@ Result<SeenSky> drawn_sky(const VisibilityOptions& options, const Shot& shot, do
     }
     Session* drawn_on = session ? &*session : nullptr;
     TRY(captured, draw_shot(shot, drawn_on, shown, drawing, false));
+    SeenSky seen{{}, shown.scene.name, captured->made_by, shown.scene};
     if (chart) {
         TRY(parts, sky_parts(shot, drawn_on, shown, drawing, *captured, *chart));
-        SeenSky seen{parts->grid, shown.scene.name, captured->made_by, shown.scene};
-        seen.parts = std::move(*parts);
-        return seen;
+        seen.light = parts->grid, seen.parts = std::move(*parts);
+    } else {
+        TRY(light, sky_light(shown.scene, *captured));
+        seen.light = std::move(*light);
     }
-    TRY(light, sky_light(shown.scene, *captured));
-    SeenSky seen{std::move(*light), shown.scene.name, captured->made_by, shown.scene};
-    TRY(coarse, drawn_coarser(shot, drawn_on, shown, drawing));
+    TRY(coarse, drawn_coarser(shot, drawn_on, shown, drawing, chart, seen.parts ? seen.parts->share : 1));
     seen.coarse = std::move(*coarse);
     return seen;
 }

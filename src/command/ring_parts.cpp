@@ -141,17 +141,6 @@ Result<Captured> drawn_band(const Shot& shot, Session* session, const Exposure& 
     return draw_shot(shot, session, changed(shown, along_curve), drawing, false);
 }
 
-// Of the light of pixels: what is left of it by the window.
-void take_window(const CameraSpec& camera, const RingChart& chart, Image<double>& light) {
-    const Point sight = line_of_sight(camera);
-    for (int y = 0; y < light.height; ++y)
-        for (int x = 0; x < light.width; ++x) {
-            const double left =
-                1 - chart.window((x + 0.5 - sight[0]) * camera.pixel(), (sight[1] - y - 0.5) * camera.pixel());
-            for (int plane = 0; plane < light.channels; ++plane) light.at(x, y)[plane] *= left;
-        }
-}
-
 // planes: of light on an area as large as the grid's pixel.
 LightPoints band_points(const CameraSpec& camera, const RingChart& chart, const Image<float>& planes, double pixel) {
     LightPoints points(planes.channels);
@@ -179,6 +168,7 @@ double whole_of(const Image<float>& planes) {
 // Both parts are 1 together.
 void share_out(SkyParts& parts) {
     const double whole = total_flux(parts.grid.picture) + parts.band.whole();
+    parts.share = 1 / whole;
     for (double& light : parts.grid.picture.flux.data) light /= whole;
     parts.band.scale(1 / whole);
 }
@@ -204,6 +194,17 @@ Result<RingChart> ring_chart(const Scene& scene, double longest) {
     return chart;
 }
 
+void take_band(const CameraSpec& camera, const RingChart& chart, SkyPicture& picture) {
+    Image<double>& light = picture.flux;
+    const Point sight = line_of_sight(camera);
+    for (int y = 0; y < light.height; ++y)
+        for (int x = 0; x < light.width; ++x) {
+            const double left =
+                1 - chart.window((x + 0.5 - sight[0]) * camera.pixel(), (sight[1] - y - 0.5) * camera.pixel());
+            for (int plane = 0; plane < light.channels; ++plane) light.at(x, y)[plane] *= left;
+        }
+}
+
 Result<SkyParts> sky_parts(const Shot& shot, Session* session, const Exposure& shown, const DrawOptions& drawing,
                            const Captured& captured, const RingChart& chart) {
     const CameraSpec& camera = shown.scene.camera;
@@ -212,7 +213,7 @@ Result<SkyParts> sky_parts(const Shot& shot, Session* session, const Exposure& s
     const Image<float> planes = sky_planes(*band, flux_unit(shown.scene, false));
     const double pixel = grid->picture.pixel;
     SkyParts parts{std::move(*grid), band_points(camera, chart, planes, pixel), chart.across(), chart.around()};
-    take_window(camera, chart, parts.grid.picture.flux);
+    take_band(camera, chart, parts.grid.picture);
     if (!parts.grid.in_jansky) {
         parts.band.scale(1 / whole_of(sky_planes(captured, std::nullopt)));
         share_out(parts);
