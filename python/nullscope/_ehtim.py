@@ -42,6 +42,27 @@ def to_ehtim(picture: Picture, *, ra: float | None = None, dec: float | None = N
     return image
 
 
+def to_ehtim_movie(pictures, hours, **place):
+    """Pictures of capture(), each at its time, as an ehtim.movie.Movie, which ehtim observes with arrays as the source changes.
+
+    hours: of each picture, ascending, from the beginning of the day mjd. place: as of to_ehtim(), the same for all; without ehtim's framedur,
+    which stretches the times. A scene's time unit r_s/c is 9.8510e-6 s for each solar mass. Error: as to_ehtim(); fewer than two pictures, or
+    of different sizes; times that do not grow.
+    """
+    pictures, hours = list(pictures), np.asarray(hours, dtype=float)
+    if len(pictures) < 2 or hours.shape != (len(pictures),):
+        raise _core.Error(f"hours: of shape {hours.shape} for {len(pictures)} pictures; allowed: one for each of two or more")
+    if not (np.isfinite(hours).all() and (np.diff(hours) > 0).all()):
+        raise _core.Error("hours: they do not grow, or are not finite; allowed: ascending ones")
+    images = [to_ehtim(picture, **place) for picture in pictures]
+    for image, hour in zip(images, hours):
+        if (image.xdim, image.ydim, image.psize) != (images[0].xdim, images[0].ydim, images[0].psize):
+            raise _core.Error("pictures: of different sizes; allowed: all of one view")
+        image.time = float(hour)
+    import ehtim.movie
+    return ehtim.movie.merge_im_list(images)
+
+
 def _planes(picture, band):
     if not isinstance(picture, Picture) or picture.scene is None:
         raise _core.Error(f"picture: {type(picture).__name__} is no picture; allowed: what capture() returned")

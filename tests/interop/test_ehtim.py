@@ -3,9 +3,11 @@ import contextlib
 import csv
 import importlib.metadata
 import io
+import json
 import math
 import re
 import sys
+from pathlib import Path
 
 import numpy as np
 
@@ -176,8 +178,41 @@ def tracks(report, folder):
     report.add(f"(u, v) of {len(rows)} baselines, relative", off, 1e-6)
 
 
+def movie(report, folder):
+    """Frames of a flare at their times, and between them as ehtim interpolates."""
+    times = [0.0, 5.0, 10.0]
+    pictures = [ns.capture("sgr-a-flare", SIZE, time=time) for time in times]
+    hours = [10 + time * 9.8510e-6 * 4.297e6 / 3600 for time in times]
+    with contextlib.redirect_stdout(io.StringIO()):
+        made = ns.to_ehtim_movie(pictures, hours, flux=2.4)
+        frames = [made.get_image(hour) for hour in hours]
+        meant = [ns.to_ehtim(picture, flux=2.4) for picture in pictures]
+    report.add("times of a movie's frames, h", float(np.abs(np.asarray(made.times) - hours).max()), 1e-12)
+    worst = max(float(np.abs(np.asarray(getattr(frame, plane)) - np.asarray(getattr(image, plane))).max() / image.imvec.max())
+                for frame, image in zip(frames, meant) for plane in ("imvec", "qvec", "uvec"))
+    report.add("a movie's frames with Q and U, of the brightest", worst, 1e-12)
+    report.add("a movie whose frames are alike", int(np.allclose(frames[0].imvec, frames[1].imvec, rtol=1e-3)), 0)
+
+
+def ring_fit(report, folder):
+    """The notebook's code, and what it finds."""
+    import matplotlib
+    matplotlib.use("Agg")
+    notebook = json.loads((Path(__file__).resolve().parents[2] / "python" / "examples" / "ring_fit.ipynb").read_text())
+    found = {}
+    with contextlib.redirect_stdout(io.StringIO()):
+        for cell in notebook["cells"]:
+            if cell["cell_type"] == "code":
+                exec("".join(cell["source"]), found)
+    report.add("fitted ring's diameter less the light's mean, µas", abs(float(found["fit"].x[1] - found["mean_diameter"])), 1.5)
+    report.add("chi^2 less 1", abs(float(found["chi2"]) - 1), 0.15)
+
+
 def wrong_is_said(report, folder):
-    calls = {"no picture": lambda: ns.to_ehtim(np.zeros((3, 3, 3))), "no scale": lambda: ns.to_ehtim(ns.capture("kerr", (32, 18))),
+    calls = {"one frame": lambda: ns.to_ehtim_movie([ns.capture("m87", SIZE)], [1.0]),
+             "hours": lambda: ns.to_ehtim_movie([ns.capture("m87", SIZE)] * 2, [1.0, 1.0]),
+             "sizes": lambda: ns.to_ehtim_movie([ns.capture("m87", SIZE), ns.capture("m87", (32, 32))], [1.0, 2.0]),
+             "no picture": lambda: ns.to_ehtim(np.zeros((3, 3, 3))), "no scale": lambda: ns.to_ehtim(ns.capture("kerr", (32, 18))),
              "a part": lambda: ns.to_ehtim(ns.capture("m87", SIZE)[3:]), "changed": lambda: ns.to_ehtim(ns.capture("m87-swirl", SIZE) ** 2),
              "ra": lambda: ns.to_ehtim(ns.capture("m87", SIZE), ra=25.0), "mjd": lambda: ns.to_ehtim(ns.capture("m87", SIZE), mjd=math.nan)}
     unsaid = 0
@@ -199,4 +234,4 @@ def wrong_is_said(report, folder):
 
 
 if __name__ == "__main__":
-    support.main(PROGRAM, both_ways, asked, point, observed, visibilities, east, tracks, wrong_is_said)
+    support.main(PROGRAM, both_ways, asked, point, observed, visibilities, east, tracks, movie, ring_fit, wrong_is_said)

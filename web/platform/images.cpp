@@ -57,7 +57,7 @@ bool is_tiff(std::string_view) { return false; }
 Result<WholePicture> decode_tiff(std::string_view, long long) { return bad_input("TIFF is not read in a page"); }
 void note_on_terminal(const std::string&) {}
 bool is_picture_file(const std::filesystem::path&) { return false; }
-Result<OpenedScene> open_picture(const std::string&, const Note&) {
+Result<OpenedScene> open_picture(const std::string&, const Note&, const SceneOverrides&) {
     return bad_input("pictures are not opened in a page");
 }
 
