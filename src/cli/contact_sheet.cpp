@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <optional>
 
 #include "annotate/lettering.h"
@@ -13,17 +13,24 @@
 namespace nullscope::cli {
 namespace {
 
-constexpr int kWidest = 8192, kHighest = 16384, kLargestTile = 320, kLeastTile = 64, kGap = 8;  // px
+constexpr int kWidest = 8192, kHighest = 16384, kLargestTile = 240, kLeastTile = 64, kGap = 8;  // px
 constexpr double kLetters = 13.0;                                                               // px
 constexpr unsigned char kGround = 14, kInk = 220;                                               // of grey
 
+// Linear light between each two values of 8 bits: to find the value among them takes less than to compute it.
+std::array<float, 255> light_between_values() {
+    std::array<float, 255> between{};
+    for (std::size_t i = 0; i < between.size(); ++i)
+        between[i] = linear_from_srgb((static_cast<float>(i) + 0.5f) / 255.0f);
+    return between;
+}
+
 Image<unsigned char> displayed(const Image<float>& light) {
+    static const std::array<float, 255> between = light_between_values();
     Image<unsigned char> picture(light.width, light.height, 3);
-    for (int y = 0; y < light.height; ++y)
-        for (int x = 0; x < light.width; ++x)
-            for (int c = 0; c < 3; ++c)
-                picture.at(x, y)[c] = static_cast<unsigned char>(
-                    std::lround(255.0f * std::clamp(srgb_from_linear(light.at(x, y)[c]), 0.0f, 1.0f)));
+    std::ranges::transform(light.data, picture.data.begin(), [](float value) {
+        return static_cast<unsigned char>(std::ranges::upper_bound(between, value) - between.begin());
+    });
     return picture;
 }
 
@@ -52,7 +59,7 @@ Status write_contact_sheet(const std::filesystem::path& file, const std::vector<
     std::vector<Image<unsigned char>> pictures;
     int width = 0, height = 0;
     for (const SheetTile& tile : tiles) {
-        TRY(fitted, load_fitted_image(tile.picture, {.max_side = side}));
+        TRY(fitted, load_fitted_image(tile.picture, {.max_side = side, .alpha = Alpha::kOnBlack}));
         pictures.push_back(displayed(fitted->image));
         width = std::max(width, pictures.back().width), height = std::max(height, pictures.back().height);
     }
