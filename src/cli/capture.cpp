@@ -72,12 +72,6 @@ void say_backwards(const CaptureJob& job) {
         }
 }
 
-std::string stamp_of(const CaptureJob& job, const CaptureOptions& options) {
-    const double first_time = job.scene.time - job.time_frame * options.time_step;
-    return frame_stamp(
-        {job.scene, job.split ? &*job.split : nullptr, options, method_name(job.method), first_time, kVersionText});
-}
-
 // Where the pictures of a film or a sequence go, and which of them are there. Nothing: one picture.
 Result<std::unique_ptr<FrameStore>> store_of(const CaptureJob& job, const CaptureOptions& options) {
     if (!options.to_film() && !job.names) return std::unique_ptr<FrameStore>();

@@ -168,6 +168,12 @@ Result<CaptureRun> capture_run(CaptureOptions options) {
     return CaptureRun{std::move(*whole), std::move(*opened)};
 }
 
+std::string stamp_of(const CaptureJob& job, const CaptureOptions& options) {
+    const double first_time = job.scene.time - job.time_frame * options.time_step;
+    return frame_stamp(
+        {job.scene, job.split ? &*job.split : nullptr, options, method_name(job.method), first_time, kVersionText});
+}
+
 void tell_renderer(Session& session, const CaptureJob& job) {
     session.renderer->set_method(job.method);
     session.renderer->limit_tiles(job.traced_tiles ? Tiles::kTraced : Tiles::kBodies);

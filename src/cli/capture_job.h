@@ -31,6 +31,9 @@ struct CaptureJob : Shot {
 // Errors: bad input, all that is wrong before OpenGL and files are opened.
 Result<CaptureJob> capture_job(const CaptureOptions& options, const OpenedScene& opened);
 
+// What the pictures depend on (cli/frame_store.h).
+std::string stamp_of(const CaptureJob& job, const CaptureOptions& options);
+
 // A session that draws these; nothing for the reference. Errors: no OpenGL.
 Result<std::optional<Session>> capture_session(const CaptureJob& job, const CaptureOptions& options);
 // What the session's renderer is told of a job before its pictures.

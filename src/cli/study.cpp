@@ -20,7 +20,6 @@
 #include "cli/picture_file.h"
 #include "cli/sweep.h"
 #include "scene/stereo.h"
-#include "version/version.h"
 
 namespace nullscope::cli {
 namespace {
@@ -102,11 +101,9 @@ Result<Study> study_of(const StudyOptions& options) {
 }
 
 // Equal for runs whose pictures belong together: the first case, and all values.
-Result<std::string> stamp_of(const Study& study) {
+Result<std::string> study_stamp(const Study& study) {
     TRY(first, case_run(study, 0));
-    const CaptureJob& job = first->job;
-    std::string stamp = frame_stamp({job.scene, job.split ? &*job.split : nullptr, first->options,
-                                     method_name(job.method), job.scene.time, kVersionText});
+    std::string stamp = stamp_of(first->job, first->options);
     for (const Sweep& sweep : study.cases.sweeps())
         for (std::size_t i = 0; i < sweep.values.size(); ++i)
             stamp += fmt::format("{} = {}: {}\n", fmt::join(sweep.keys, ", "), i, fmt::join(sweep.values[i], ", "));
@@ -254,7 +251,7 @@ Status run_study(const StudyOptions& options) {
         return good;
     }
     if (options.commands) return print_commands(options, *study);
-    TRY(stamp, stamp_of(*study));
+    TRY(stamp, study_stamp(*study));
     TRY(store, FrameStore::open_sequence(study->names, *stamp, true));
     TRY(written, write_index(*study));
     TRY(drawn, draw_cases(*study, **store));
