@@ -48,10 +48,10 @@ void Painter::ask(PaintJob job) {
         return;
     }
     const std::lock_guard lock(mutex_);
+    if (!job.rays) polarisation_.reset();  // of the picture before
     job_ = std::move(job);
     painting_.reset();
     order_.reset();
-    polarisation_.reset();
     busy_ = true;
     gives_up_ = false;
     wake_.notify_all();

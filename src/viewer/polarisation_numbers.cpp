@@ -1,29 +1,17 @@
 #include "viewer/polarisation_numbers.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "render/picture_layers.h"
 #include "scene/medium_bands.h"
 #include "scene/projection.h"
+#include "viewer/small_light.h"
 
 namespace nullscope::viewer {
 namespace {
 
 constexpr int kMostMeasured_px = 320;  // of the longer side
-
-// The same view in fewer pixels.
-Scene small_view(Scene scene) {
-    CameraSpec& camera = scene.camera;
-    const int width = camera.width, height = camera.height;
-    const double times =
-        std::max({1.0, static_cast<double>(width) / kMostMeasured_px, static_cast<double>(height) / kMostMeasured_px});
-    camera.width = std::max(static_cast<int>(std::lround(width / times)), 1);
-    camera.height = std::max(static_cast<int>(std::lround(height / times)), 1);
-    camera.pixel_aspect *= static_cast<double>(width) * camera.height / (static_cast<double>(height) * camera.width);
-    return scene;
-}
 
 Image<float> stokes_at(Renderer& renderer, const Scene& scene) {
     return renderer.prepare(scene) ? draw_stokes(renderer) : Image<float>();
@@ -34,7 +22,7 @@ Image<float> stokes_at(Renderer& renderer, const Scene& scene) {
 bool has_polarisation_numbers(const Scene& scene) { return is_polarised(scene) && !scene.split; }
 
 std::optional<PolarisationNumbers> polarisation_numbers(Renderer& renderer, const Scene& scene) {
-    Scene small = small_view(scene);
+    Scene small = in_fewer_pixels(scene, kMostMeasured_px);
     const auto [x, y] = line_of_sight(small.camera);
     const Image<float> shown = stokes_at(renderer, small);
     if (shown.empty()) return std::nullopt;

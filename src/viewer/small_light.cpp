@@ -5,12 +5,16 @@
 
 namespace nullscope::viewer {
 
-Scene small_scene(const Scene& scene, int side) {
-    Scene small = scene;
-    CameraSpec& camera = small.camera;
+Scene in_fewer_pixels(Scene scene, int side) {
+    CameraSpec& camera = scene.camera;
     const double smaller = std::max(1.0, static_cast<double>(std::max(camera.width, camera.height)) / side);
     camera.width = std::max(1, static_cast<int>(std::lround(camera.width / smaller)));
     camera.height = std::max(1, static_cast<int>(std::lround(camera.height / smaller)));
+    return scene;
+}
+
+Scene small_scene(const Scene& scene, int side) {
+    Scene small = in_fewer_pixels(scene, side);
     small.picture.samples = 1, small.picture.refine = false, small.picture.ticks = false;
     return small;
 }

@@ -8,6 +8,9 @@
 
 namespace nullscope::viewer {
 
+// The same view, `side` px at its longest or as large as it is.
+Scene in_fewer_pixels(Scene scene, int side);
+
 // The job's scene in the size in which its light is drawn: `side` px at its longest.
 Scene small_scene(const Scene& scene, int side);
 

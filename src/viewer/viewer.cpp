@@ -323,6 +323,7 @@ void Viewer::refuse(const Painting& painting) {
     view_.off = shown_.view.off;
     view_.hidden = shown_.view.hidden;
     view_.side_b = shown_.view.side_b, view_.sides = shown_.view.sides;
+    polarisation_.forget();  // the picture stays, but what was asked of it may be dropped
     view_.error = painting.ready.error().message();
     due_.error_stays = true;
     pace_.want(kSettlingFrames);
