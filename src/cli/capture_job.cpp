@@ -15,6 +15,7 @@
 #include "compare/stokes_measures.h"
 #include "observer/path.h"
 #include "plan/dump_window.h"
+#include "plan/shutter.h"
 #include "render/picture_bands.h"
 #include "scene/medium_bands.h"
 #include "scene/medium_dumps.h"
