@@ -5,6 +5,10 @@
 namespace nullscope {
 namespace {
 
+// Of the picture. Software drivers shade blocks of 4 x 4 pixels, whole ones even where rows end within them: with these the rows of the coarsest
+// lattice are such blocks.
+constexpr int kRowsAtOnce = 64;
+
 // Those beside the cells that hold `length` px: one before, and two behind the cell that is behind the last.
 int nodes(int length, int side) { return (length - 1) / side + 5; }
 
@@ -39,7 +43,8 @@ void LightLattice::begin() {
 }
 
 void LightLattice::extend(const Programs& programs, int last) {
-    extend(kSides.size() - 1, programs, last);
+    const int ahead = (last + kRowsAtOnce - 1) / kRowsAtOnce * kRowsAtOnce;
+    extend(kSides.size() - 1, programs, std::min(ahead, height_));
     bind(first_);
 }
 
