@@ -8,6 +8,7 @@
 
 uniform int lattice_drawn;   // px between the nodes of this one
 uniform int lattice_drawn_texels;
+uniform int lattice_drawn_spread;
 
 out vec4 colour;
 
@@ -21,6 +22,7 @@ vec4 lattice_traced(vec2 pixel) {
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
+    texel.x = texel.x / (TILE_SIDE * lattice_drawn_spread) * TILE_SIDE + texel.x % TILE_SIDE;
     vec2 node = vec2(float(texel.x / lattice_drawn_texels), float(texel.y));
     vec2 place = float(lattice_drawn) * (node - 1.0 + float(texel.x % lattice_drawn_texels) * probe_part(node));
     LatticeLight found = lattice_light(place);

@@ -1,9 +1,12 @@
 // Light of matter on a lattice of the picture, and between its nodes (render/light_lattice.h). A texel for each node or, in turn, for a node and
-// for a place in the cell to its right and above. rgb: light; a: what of the light behind comes through, of a ray to the sky; of others -1 less that.
+// for a place in the cell to its right and above; tiles of them may lie apart, for software drivers draw a block of 64 x 64 texels by one thread. rgb: light; a: what of the light behind comes through, of a ray to the sky; of others -1 less that.
+#include "generated/tiles"
+
 uniform highp sampler2D lattice_texture;
 uniform highp sampler2D cell_texture;   // a texel a cell (stage/lattice_cells.frag): how the lattice tells the light there
 uniform int lattice_side;               // px between its nodes; 0: there is none
 uniform int lattice_texels;             // for each node: 1 or 2
+uniform int lattice_spread;             // from a tile to the next, in tiles
 
 #define LATTICE_CUBIC 1.0    // by the four by four nodes about the cell
 #define LATTICE_LINEAR 0.5   // by its own: next to the shadow's edge
@@ -18,9 +21,11 @@ struct LatticeLight {
 
 vec4 lattice_texel(vec3 light, float through, bool escapes) { return vec4(light, escapes ? through : -1.0 - through); }
 
+int lattice_column(int texel) { return texel + texel / TILE_SIDE * TILE_SIDE * (lattice_spread - 1); }
+
 // A node, by its number from the first one, and the place in its cell.
-vec4 lattice_node(ivec2 node) { return texelFetch(lattice_texture, ivec2(lattice_texels * node.x, node.y), 0); }
-vec4 lattice_probe(ivec2 cell) { return texelFetch(lattice_texture, ivec2(2 * cell.x + 1, cell.y), 0); }
+vec4 lattice_node(ivec2 node) { return texelFetch(lattice_texture, ivec2(lattice_column(lattice_texels * node.x), node.y), 0); }
+vec4 lattice_probe(ivec2 cell) { return texelFetch(lattice_texture, ivec2(lattice_column(2 * cell.x + 1), cell.y), 0); }
 
 // Where in the cell that is, 0 ... 1: about its middle, where interpolation is worst, but nowhere in step with the nodes, so that no wave of the
 // light is the same at all of them.

@@ -4,6 +4,7 @@
 #include "effect/edge.glsl"
 #include "stage/lattice.glsl"
 
+uniform int lattice_columns;   // of nodes
 uniform int lattice_error;      // thousandths of the light, and of the light behind
 #define LATTICE_DARKEST 0.05    // of white: errors of less light than this are as for this
 
@@ -37,7 +38,7 @@ bool ends_alike(ivec2 cell, bool cubic) {
 
 void main() {
     ivec2 low = ivec2(1);   // cells with nodes on all sides
-    ivec2 high = textureSize(lattice_texture, 0) / ivec2(lattice_texels, 1) - 3;
+    ivec2 high = ivec2(lattice_columns, textureSize(lattice_texture, 0).y) - 3;
     ivec2 cell = clamp(ivec2(gl_FragCoord.xy), low, high);
     bool cubic = ends_alike(cell, true);
     bool tells = cell == ivec2(gl_FragCoord.xy) && ends_alike(cell, false) && tells_probe(cell, cubic);

@@ -8,6 +8,8 @@ namespace {
 // Of the picture. Software drivers shade blocks of 4 x 4 pixels, whole ones even where rows end within them: with these the rows of the coarsest
 // lattice are such blocks.
 constexpr int kRowsAtOnce = 64;
+// Software drivers draw a square of so many texels by one thread: of a small lattice each tile lies in one of its own.
+constexpr int kThreadSide = 64, kSpreadColumns = 2 * kThreadSide;
 
 // Those beside the cells that hold `length` px: one before, and two behind the cell that is behind the last.
 int nodes(int length, int side) { return (length - 1) / side + 5; }
@@ -31,8 +33,11 @@ void LightLattice::size(std::size_t number) {
     Level& level = levels_[number];
     level.texels = draft_ && number + 1 == kSides.size() ? 1 : 2;
     // Of odd sizes: llvmpipe compiles once more for textures whose sides are powers of two.
-    const int columns = nodes(width_, kSides[number]), across = level.texels * columns | 1,
+    const int columns = nodes(width_, kSides[number]), packed = level.texels * columns | 1,
               up = nodes(height_, kSides[number]) | 1;
+    level.columns = packed / level.texels;
+    level.spread = packed <= kSpreadColumns ? kThreadSide / kTileSide : 1;
+    const int across = packed + (packed - 1) / kTileSide * kTileSide * (level.spread - 1);
     if (level.nodes.width == across && level.nodes.height == up) return;
     level.nodes = gl::make_target(across, up, gl::Format::kRgba32F);
     level.cells = gl::make_target(columns | 1, up, gl::Format::kRgba32F);
@@ -59,7 +64,9 @@ void LightLattice::extend(std::size_t number, const Programs& programs, int last
     const auto draw_nodes = [&](const gl::Program& program) {
         gl::set_integer(program, "lattice_side", number > 0 ? kSides[number - 1] : 0);
         gl::set_integer(program, "lattice_texels", number > 0 ? levels_[number - 1].texels : 1);
+        gl::set_integer(program, "lattice_spread", number > 0 ? levels_[number - 1].spread : 1);
         gl::set_integer(program, "lattice_drawn_texels", level.texels);
+        gl::set_integer(program, "lattice_drawn_spread", level.spread);
         gl::set_integer(program, "lattice_drawn", side);
         gl::set_integer(program, "lattice_across", level.nodes.width);
         gl::set_integer(program, "lattice_up", up);
@@ -71,6 +78,8 @@ void LightLattice::extend(std::size_t number, const Programs& programs, int last
     // The cells of these rows: those above their nodes are not there yet.
     gl::bind_texture_2d(first_, level.nodes.colours.front());
     gl::set_integer(programs.cells, "lattice_texels", level.texels);
+    gl::set_integer(programs.cells, "lattice_spread", level.spread);
+    gl::set_integer(programs.cells, "lattice_columns", level.columns);
     gl::set_integer(programs.cells, "lattice_error",
                     !draft_                 ? kError
                     : side == kSides.back() ? kFinestDraftError
@@ -94,6 +103,7 @@ void LightLattice::tell(const gl::Program& program) const {
     if (none_.nodes.width == 0) return;
     gl::set_integer(program, "lattice_side", kSides.back());
     gl::set_integer(program, "lattice_texels", levels_.back().texels);
+    gl::set_integer(program, "lattice_spread", levels_.back().spread);
 }
 
 }  // namespace nullscope

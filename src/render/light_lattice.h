@@ -41,8 +41,10 @@ private:
     static constexpr std::array kSides = {16, 8, 4};  // px between nodes
     struct Level {
         gl::Target nodes, cells;
-        int texels = 2;  // a node: it, and a place in its cell
-        int rows = 0;    // of the picture, that are told
+        int texels = 2;   // a node: it, and a place in its cell
+        int columns = 0;  // of nodes
+        int spread = 1;   // from a tile of texels to the next, in tiles
+        int rows = 0;     // of the picture, that are told
     };
     void extend(std::size_t number, const Programs& programs, int last);
     void bind(const Level& level);
