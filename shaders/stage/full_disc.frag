@@ -25,7 +25,7 @@ vec4 ray_light(vec2 pixel) {
 out vec4 colour;
 
 void main() {
-#ifdef NEEDS_SAMPLING
+#ifdef EFFECT_SAMPLES
     int number = sampling_first();
     int left = sampling_count();
     vec4 sum = vec4(0.0);

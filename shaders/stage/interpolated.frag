@@ -14,7 +14,7 @@
 vec4 ray_light(vec2 pixel) {
     vec2 at = tile_place(pixel);
     TileSky sky = tile_sky();
-    Trace trace = trace_to_sky(pixel, tile_sky_at(sky, at), tile_sky_right(sky, at) * sampling_share(), tile_sky_up(sky, at) * sampling_share());
+    Trace trace = trace_to_sky(pixel, tile_sky_at(sky, at), tile_sky_right(sky, at) * sampling_px(), tile_sky_up(sky, at) * sampling_px());
     vec3 light = vec3(0.0);
 #ifdef EFFECT_SKY
 #ifdef NEEDS_SAMPLING
@@ -42,7 +42,7 @@ vec4 ray_light(vec2 pixel) {
 out vec4 colour;
 
 void main() {
-#ifdef NEEDS_SAMPLING
+#ifdef EFFECT_SAMPLES
     int number = sampling_first();
     int left = sampling_count();
     vec4 sum = vec4(0.0);

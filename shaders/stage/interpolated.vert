@@ -27,7 +27,7 @@ flat out highp vec3 tile_sky_03;
 #ifdef EFFECT_SKY
 float detail_at(TileSky sky, vec2 middle, vec2 at) {
     vec2 pixel = middle + at * (float(TILE_SIDE) * sampling_rays());
-    return sky_detail(trace_to_sky(pixel, tile_sky_at(sky, at), tile_sky_right(sky, at) * sampling_share(), tile_sky_up(sky, at) * sampling_share()));
+    return sky_detail(trace_to_sky(pixel, tile_sky_at(sky, at), tile_sky_right(sky, at) * sampling_px(), tile_sky_up(sky, at) * sampling_px()));
 }
 #endif
 
@@ -57,6 +57,5 @@ void main() {
     tile_sky_12 = sky.c12;
     tile_sky_03 = sky.c03;
     bool drawn = texelFetch(tile_texture, tile, 0).x == TILE_INTERPOLATED;
-    gl_Position = tile_position(gl_VertexID, tiles, drawn);
-    gl_PointSize = tile_point_size();
+    place_point(gl_VertexID, tiles, drawn);
 }

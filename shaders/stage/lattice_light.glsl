@@ -31,7 +31,7 @@ vec4 with_way(vec4 light) { return vec4(light.rgb, LATTICE_WAY * light.a); }
 #endif
 
 vec4 pixel_light(vec2 pixel) {
-    LatticeLight matter = lattice_light(picture_fragment(pixel) * sampling_share());
+    LatticeLight matter = lattice_light(picture_fragment(pixel) * sampling_px());
 #ifdef LATTICE_TOLD
     vec4 light = light_behind(matter, pixel);
 #else

@@ -19,16 +19,39 @@
 #define SAMPLING_SHEARED 6.0   // N from which on the grid is sheared
 #endif
 
+#ifdef EFFECT_REFINE
+flat in highp vec2 patch_shift;   // stage/tile_point.glsl
+
+// Where a fragment's ray lies in the picture that is as fine as the rays of a pixel, from its lower left corner.
+vec2 fragment_rays() { return gl_FragCoord.xy + patch_shift; }
+#endif
+
+// The middle of a fragment's pixel, in that picture.
+vec2 fragment_middle() {
+#ifdef EFFECT_REFINE
+    return (floor(fragment_rays() * sampling_px()) + 0.5) * sampling_rays();
+#else
+    return gl_FragCoord.xy * sampling_rays();
+#endif
+}
+
 // Of ray `number`: picture_place() of the picture that frame.image says, which is as fine as the rays of a pixel lie. N x N rays
 // lie on a square grid, so that what they stand for fills the pixel. Where they are many each has a column and a row of its own, of N^2 by
 // N^2: lines thinner than their distance are met evenly, along either axis too.
 vec2 fragment_place(int number) {
 #ifdef NEEDS_SAMPLING
+#ifdef EFFECT_REFINE
+    vec2 first = fragment_rays() - 0.5;   // a fragment is a ray: of its pixel's the first, and which it is
+    vec2 cell = first - frame.sampling.z * floor((first + 0.5) * sampling_px());
+    first -= cell;
+#else
     int side = int(frame.sampling.z);
     vec2 cell = vec2(float(number % side), float(number / side));
-    vec2 within = frame.sampling.z < SAMPLING_SHEARED ? vec2(0.0) : (cell.yx + 0.5) * sampling_share() - 0.5;
+    vec2 first = (gl_FragCoord.xy - 0.5) * frame.sampling.z;
+#endif
+    vec2 within = frame.sampling.z < SAMPLING_SHEARED ? vec2(0.0) : (cell.yx + 0.5) * sampling_px() - 0.5;
     // In this order parts of a picture have the same rounding (render/picture_bands.h).
-    return picture_place((gl_FragCoord.xy - 0.5) * frame.sampling.z + 0.5) + (cell + within) * vec2(frame.sight.z, 1.0);
+    return picture_place(first + 0.5) + (cell + within) * vec2(frame.sight.z, 1.0);
 #else
     return picture_place(gl_FragCoord.xy);
 #endif
@@ -70,8 +93,8 @@ float light_passed() { return 1.0; }
 vec4 fragment_colour(vec4 light) {
 #ifdef BLOCK_PROJECTION
     // The part of the pixel that is in the picture: a fisheye's circle has a smooth edge.
-    vec2 middle = picture_place(gl_FragCoord.xy * sampling_rays());
-    float ray_px = sampling_share();
+    vec2 middle = picture_place(fragment_middle());
+    float ray_px = sampling_px();
 #ifdef EFFECT_WARP
     WarpPlace seen = warp_place(middle);
     middle = seen.light < 0.0 ? vec2(0.0) : seen.at;

@@ -29,6 +29,5 @@ void main() {
 #ifdef TILES_OF_THE_REST
     bool drawn = most == 0.0;
 #endif
-    gl_Position = tile_position(gl_VertexID, tiles, drawn);
-    gl_PointSize = tile_point_size();
+    place_point(gl_VertexID, tiles, drawn);
 }

@@ -1,29 +1,45 @@
-// Tiles of the picture drawn as points, numbered by rows from below. Where pixels are drawn again with more rays the points are the blocks
-// that hold them, a half as wide, numbered in the same way.
+// Tiles of the picture drawn as points, numbered by rows from below. Where pixels are drawn again with more rays a point is a patch of these rays, in
+// a target of its own (render/ray_patches.h): a tile's program draws those that are in the tile.
 #include "effect/sampling.glsl"
 #include "generated/tiles"
 
-// Points along a side of a tile.
-int tile_points() {
 #ifdef EFFECT_REFINE
-    return sampling_rays() > 1.0 ? TILE_SIDE / BLOCK_SIDE : 1;
-#else
-    return 1;
+layout(location = 0) in highp vec2 patch_pixel;   // column, and row from below, of its lowest left pixel
+flat out highp vec2 patch_shift;                  // from a fragment to its ray's place in the picture, which is as fine as the rays lie
+
+bool draws_patches() { return sampling_rays() > 1.0; }
+
+// Pixels along its side.
+float patch_pixels() { return sampling_rays() < 4.0 ? 2.0 : 1.0; }
+
+// Its lower left corner in the target. Software drivers shade blocks of 4 x 4 fragments.
+vec2 patch_corner(int number) {
+    int step = (int(patch_pixels() * sampling_rays()) + 3) / 4 * 4;
+    int across = PATCHES_SIDE / step;
+    return float(step) * vec2(float(number % across), float(number / across));
+}
 #endif
-}
 
-ivec2 tile_point(int number, ivec2 tiles) {
-    int across = tiles.x * tile_points();
-    return ivec2(number % across, number / across);
+// The tile that a point is, or that its pixel is in.
+ivec2 tile_of_point(int number, ivec2 tiles) {
+#ifdef EFFECT_REFINE
+    if (draws_patches()) return ivec2(patch_pixel) / TILE_SIDE;
+#endif
+    return ivec2(number % tiles.x, number / tiles.x);
 }
-
-// The tile that it is, or is in.
-ivec2 tile_of_point(int number, ivec2 tiles) { return tile_point(number, tiles) / tile_points(); }
 
 // Those that are not drawn lie beyond the picture.
-vec4 tile_position(int number, ivec2 tiles, bool drawn) {
-    vec2 middle = 2.0 * (vec2(tile_point(number, tiles)) + 0.5) / vec2(tiles * tile_points()) - 1.0;
-    return drawn ? vec4(middle, 0.0, 1.0) : vec4(2.0, 2.0, 0.0, 1.0);
+void place_point(int number, ivec2 tiles, bool drawn) {
+    vec2 middle = 2.0 * (vec2(tile_of_point(number, tiles)) + 0.5) / vec2(tiles) - 1.0;
+    gl_PointSize = float(TILE_SIDE);
+#ifdef EFFECT_REFINE
+    patch_shift = vec2(0.0);
+    if (draws_patches()) {
+        vec2 corner = patch_corner(number);
+        gl_PointSize = patch_pixels() * sampling_rays();
+        middle = (2.0 * corner + gl_PointSize) * (1.0 / float(PATCHES_SIDE)) - 1.0;
+        patch_shift = sampling_rays() * patch_pixel - corner;
+    }
+#endif
+    gl_Position = drawn ? vec4(middle, 0.0, 1.0) : vec4(2.0, 2.0, 0.0, 1.0);
 }
-
-float tile_point_size() { return float(TILE_SIDE / tile_points()); }

@@ -24,6 +24,6 @@ TileSky tile_sky() {
 
 // From the tile's middle, of a fragment_pixel().
 vec2 tile_place(vec2 pixel) {
-    return (picture_fragment(pixel) * sampling_share() - tile_at.xy) * (1.0 / float(TILE_SIDE));
+    return (picture_fragment(pixel) * sampling_px() - tile_at.xy) * (1.0 / float(TILE_SIDE));
 }
 bool tile_escapes() { return tile_at.z > 0.0; }

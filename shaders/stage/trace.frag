@@ -25,7 +25,7 @@ void main() {
     march_last = bodies.last;
 #endif
 #endif
-#ifdef NEEDS_SAMPLING
+#ifdef EFFECT_SAMPLES
     int number = sampling_first();
     int left = sampling_count();
     vec4 sum = vec4(0.0);

@@ -90,26 +90,13 @@ void draw_tiles(const Program& program, const VertexArray& empty, unsigned frame
     });
 }
 
-PointList make_point_list(const std::vector<unsigned>& numbers) {
-    unsigned id = 0;
-    glGenBuffers(1, &id);
-    PointList list{Buffer(id), static_cast<int>(numbers.size())};
-    const VertexArray holder =
-        make_vertex_array();  // of the binding: WebGL asks that a list of indices is never anything else
-    glBindVertexArray(holder.id());
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, id);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(numbers.size() * sizeof(unsigned)), numbers.data(),
-                 GL_STREAM_DRAW);
-    check("point list");
-    return list;
-}
-
-void draw_listed_tiles(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
-                       int side, int first, int last, const PointList& list, const Layer& layer) {
-    draw_points_of_tiles(program, empty, framebuffer, width, height, side, first, last, layer, [&](int) {
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, list.numbers.id());
-        glDrawElements(GL_POINTS, list.count, GL_UNSIGNED_INT, nullptr);
-    });
+void draw_listed_points(const Program& program, const VertexList& vertices, unsigned framebuffer, int width, int height,
+                        const Layer& layer) {
+    begin_draw(program, vertices.layout, framebuffer, 0, 0, width, height);
+    begin_layer(layer);
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glDrawArrays(GL_POINTS, 0, vertices.count);
+    end_draw("draw listed points");
 }
 
 void draw_points(const Program& program, const VertexList& vertices, int count, int copies, unsigned framebuffer,

@@ -153,7 +153,7 @@ VertexArray make_vertex_array();
 // share below 1: what is there moves so far towards what is drawn.
 void draw_fullscreen(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
                      double share = 1.0);
-// Which pixels (Marks) are drawn: those that are not marked and those that are need no two variants of a program, on software drivers.
+// Which pixels (Marks) are drawn.
 enum class Marked { kAny, kNot, kOnly };
 // How what is drawn changes what is there.
 struct Layer {
@@ -167,14 +167,9 @@ void draw_rows(const Program& program, const VertexArray& empty, unsigned frameb
 // Of it the tiles of `side` px, each a point of the program's (by its number, from below and from the left), that have a part in these rows.
 void draw_tiles(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height, int side,
                 int first, int last, const Layer& layer = {});
-// The same, of those points alone that are listed.
-struct PointList {
-    Buffer numbers;
-    int count = 0;
-};
-PointList make_point_list(const std::vector<unsigned>& numbers);
-void draw_listed_tiles(const Program& program, const VertexArray& empty, unsigned framebuffer, int width, int height,
-                       int side, int first, int last, const PointList& list, const Layer& layer);
+// Points with attributes.
+void draw_listed_points(const Program& program, const VertexList& vertices, unsigned framebuffer, int width, int height,
+                        const Layer& layer = {});
 // Adds points to what is in the framebuffer: colour += colour of the point x alpha that is there; alpha stays. The viewport is
 // `margin` px wider on every side, so that a point whose middle is outside still shows its rim.
 // copies: of every point, numbered by gl_InstanceID.

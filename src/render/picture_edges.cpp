@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "render/ray_patches.h"
+
 namespace nullscope {
 namespace {
 
-// Of rows up to `row`, those in whole blocks that end before it; all of them where the picture ends.
-int blocks_before(int row, int height) {
-    return row == height ? height : std::max(row - 1, 0) / kBlockSide * kBlockSide;
-}
+constexpr int kBlock = 4;  // px, as software drivers shade them
+
+// Of rows up to `row`, those whose neighbours above are there, in whole blocks.
+int rows_before(int row, int height) { return row == height ? height : std::max(row - 1, 0) / kBlock * kBlock; }
 
 }  // namespace
 
@@ -17,7 +19,6 @@ void PictureEdges::resize(const std::vector<Pass>& passes, const gl::Target& pic
         *this = PictureEdges();
         return;
     }
-    first_number_ = std::ranges::any_of(passes, is_whole, &Pass::stage) ? kFirstPictureTile : 0;
     if (marks_.width == picture.width && marks_.height == picture.height && marks_.of == picture.framebuffer.id())
         return;
     marks_ = gl::make_marks(picture);
@@ -31,39 +32,44 @@ void PictureEdges::begin() {
 
 void PictureEdges::compare(const gl::Program& program, const gl::VertexArray& empty, int first, int last) {
     const int height = marks_.height;
-    const int from = first == 0 ? 0 : blocks_before(first, height), to = blocks_before(last, height);
+    const int from = first == 0 ? 0 : rows_before(first, height), to = rows_before(last, height);
     if (to > from) {
         unsigned char* rows = seen_.data() + static_cast<std::size_t>(from) * static_cast<std::size_t>(marks_.width);
         gl::mark_rows(program, empty, marks_, from, to, rows);
         count_ += std::count_if(rows, rows + static_cast<std::ptrdiff_t>(to - from) * marks_.width,
                                 [](unsigned char mark) { return mark > 0; });
     }
-    first_ = first == 0 ? 0 : blocks_before(from, height);
-    last_ = blocks_before(to, height);
-    list_blocks();
+    first_ = first == 0 ? 0 : rows_before(from, height);
+    last_ = rows_before(to, height);
+    list_patches();
 }
 
-void PictureEdges::list_blocks() {
-    const int across = (marks_.width + kTileSide - 1) / kTileSide * (kTileSide / kBlockSide);
-    std::array<std::vector<unsigned>, kRefined.size()> numbers;
-    std::vector<unsigned char> most(static_cast<std::size_t>(across));
-    for (int row = first_ / kBlockSide; row * kBlockSide < last_; ++row) {
-        std::fill(most.begin(), most.end(), 0);
-        for (int y = std::max(row * kBlockSide, first_); y < std::min((row + 1) * kBlockSide, last_); ++y) {
-            const unsigned char* line =
-                seen_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(marks_.width);
-            for (int x = 0; x < marks_.width; ++x) {
-                unsigned char& block = most[static_cast<std::size_t>(x / kBlockSide)];
-                block = std::max(block, line[x]);
-            }
+// A pixel gets what the neediest of its block needs: an edge goes on beside it.
+void PictureEdges::list_patches() {
+    for (std::vector<float>& list : patches_) list.clear();
+    for (int y = first_; y < last_; y += kBlock)
+        for (int x = 0; x < marks_.width; x += kBlock) {
+            const int right = std::min(x + kBlock, marks_.width), top = std::min(y + kBlock, last_);
+            const int most = mark_within(x, y, right, top);
+            if (most == 0) continue;
+            const auto kind = static_cast<std::size_t>((most - 1) / 85);  // marks are thirds of 255
+            const int side = patch_pixels(kRefined[kind]);
+            for (int up = y; up < top; up += side)
+                for (int along = x; along < right; along += side)
+                    if (mark_within(along, up, std::min(along + side, right), std::min(up + side, top)) > 0) {
+                        patches_[kind].push_back(static_cast<float>(along));
+                        patches_[kind].push_back(static_cast<float>(up));
+                    }
         }
-        for (int column = 0; column < across; ++column)
-            if (const unsigned char block = most[static_cast<std::size_t>(column)]; block > 0)
-                numbers[static_cast<std::size_t>((block - 1) / 85)].push_back(
-                    first_number_ + static_cast<unsigned>(row * across + column));  // marks are thirds of 255
+}
+
+int PictureEdges::mark_within(int left, int low, int right, int top) const {
+    int most = 0;
+    for (int y = low; y < top; ++y) {
+        const unsigned char* row = seen_.data() + static_cast<std::ptrdiff_t>(y) * marks_.width;
+        most = std::max<int>(most, *std::max_element(row + left, row + right));
     }
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        blocks_[i] = numbers[i].empty() ? gl::PointList() : gl::make_point_list(numbers[i]);
+    return most;
 }
 
 }  // namespace nullscope

@@ -13,7 +13,8 @@ namespace nullscope {
 // A side of the rays of a pixel: where light differs a little, and much; where something thinner than a pixel may lie between rays that went
 // different ways.
 inline constexpr std::array<int, 3> kRefined = {2, 4, 6};
-using BlockLists = std::array<gl::PointList, kRefined.size()>;
+// Columns and rows (from below) of patches (render/ray_patches.h), in turn, as vertices have them.
+using PatchLists = std::array<std::vector<float>, kRefined.size()>;
 
 class PictureEdges {
 public:
@@ -27,24 +28,21 @@ public:
     // picture bound. Cost: two fetches a pixel, and the driver is waited for.
     void compare(const gl::Program& program, const gl::VertexArray& empty, int first, int last);
 
-    // Rows that may then be drawn again, and the blocks in them (points of the picture's programs) that hold something marked, by what
-    // their pixels need (kRefined).
-    int first() const { return first_; }
-    int last() const { return last_; }
-    const BlockLists& blocks() const { return blocks_; }
+    // Patches with marked pixels in the rows that may then be drawn again, by what these need (kRefined).
+    const PatchLists& patches() const { return patches_; }
 
     // How many of the last picture's pixels are marked.
     long long count() const { return count_; }
 
 private:
-    void list_blocks();
+    void list_patches();
+    int mark_within(int left, int low, int right, int top) const;  // the largest
 
     gl::Marks marks_;
     std::vector<unsigned char> seen_;
-    unsigned first_number_ = 0;
-    int first_ = 0, last_ = 0;
+    int first_ = 0, last_ = 0;  // rows that may be drawn again
     long long count_ = 0;
-    BlockLists blocks_;
+    PatchLists patches_;
 };
 
 }  // namespace nullscope

@@ -131,6 +131,10 @@ void Renderer::keep_light(const std::vector<Pass>& list, int width, int height, 
         edges_ = {};
     }
     edges_.resize(list, linear_);
+    if (refine)
+        patches_.resize(linear_format_);
+    else
+        patches_.clear();
     if (keeps_light(list) && scatters_or_meters())
         bloom_.resize(width, height);
     else
@@ -179,7 +183,8 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
                          {.marked = refine ? gl::Marked::kNot : gl::Marked::kAny});
         } else if (pass.stage == Stage::kEdges) {
             if (refining_) refine_rows(list, width, height, first, last);
-        } else if (last == height && (layer_ == PictureLayer::kAll || layer_ == PictureLayer::kSky)) {
+        } else if (pass.stage != Stage::kPatches && last == height &&
+                   (layer_ == PictureLayer::kAll || layer_ == PictureLayer::kSky)) {
             draw_pass(pass, framebuffer, width, height);
         }
     }
@@ -202,11 +207,16 @@ void Renderer::draw_samples(int samples, int at_once, Draw draw) {
     blocks_.upload_pixel(refining_);
 }
 
-void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
-                            const gl::Layer& layer) {
+const gl::Program& Renderer::picture_program(const Pass& pass) {
     const gl::Program& built = program(pass.stage, pass.output);
     lattice_.tell(built);
     if (pass.output == Output::kLayers) gl::set_integer(built, "layer_shown", static_cast<int>(layer_));
+    return built;
+}
+
+void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
+                            const gl::Layer& layer) {
+    const gl::Program& built = picture_program(pass);
     if (is_in_tiles(pass.stage))
         gl::draw_tiles(built, empty_, picture, width, height, kTileSide, first, last, layer);
     else
@@ -216,20 +226,26 @@ void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int h
 void Renderer::refine_rows(const std::vector<Pass>& list, int width, int height, int first, int last) {
     gl::bind_texture_2d(kPictureUnit, linear_.colours.front());
     if (layer_ == PictureLayer::kAll) edges_.compare(program(Stage::kEdges, Output::kLinear), empty_, first, last);
-    bind_inputs();
     for (std::size_t i = 0; i < kRefined.size(); ++i) {
-        const gl::PointList& blocks = edges_.blocks()[i];
-        for (const Pass& pass : list) {
-            if (blocks.count == 0 || !draws_picture(pass.stage)) continue;
-            const gl::Program& built = program(pass.stage, pass.output);
-            lattice_.tell(built);
-            draw_samples(kRefined[i], kRefined[i] * kRefined[i], [&](gl::Layer layer) {
-                layer.marked = gl::Marked::kOnly;
-                gl::draw_listed_tiles(built, empty_, linear_.framebuffer.id(), width, height, kTileSide, edges_.first(),
-                                      edges_.last(), blocks, layer);
+        if (edges_.patches()[i].empty()) continue;
+        blocks_.upload_samples(kRefined[i], 0, 1);
+        patches_.draw(
+            kRefined[i], edges_.patches()[i],
+            [&](const gl::VertexList& pixels, const gl::Target& rays) {
+                bind_inputs();
+                for (const Pass& pass : list)
+                    if (draws_picture(pass.stage))
+                        gl::draw_listed_points(picture_program(pass), pixels, rays.framebuffer.id(), rays.width,
+                                               rays.height);
+            },
+            [&](const gl::VertexList& pixels, const gl::Target& rays) {
+                gl::bind_texture_2d(kPictureUnit, rays.colours.front());
+                gl::draw_listed_points(program(Stage::kPatches, Output::kLinear), pixels, linear_.framebuffer.id(),
+                                       width, height, {.marked = gl::Marked::kOnly});
             });
-        }
     }
+    blocks_.upload_pixel(refining_);
+    bind_inputs();
 }
 
 // The method that follows from the scene alone may interpolate; others show what they are. The Kerr-Schild march has no tiles.

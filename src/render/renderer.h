@@ -19,6 +19,7 @@
 #include "render/picture_edges.h"
 #include "render/picture_layers.h"
 #include "render/picture_tiles.h"
+#include "render/ray_patches.h"
 #include "render/star_field.h"
 #include "render/uniform_blocks.h"
 #include "scene/ray.h"
@@ -151,6 +152,7 @@ private:
     void find_before(const Pass& pass, int first, int last);
     void keep_light(const std::vector<Pass>& list, int width, int height, Output output);
     bool scatters_or_meters() const;
+    const gl::Program& picture_program(const Pass& pass);
     void draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
                       const gl::Layer& layer);
     template <class Draw>
@@ -180,6 +182,7 @@ private:
     gl::Target linear_;  // what passes of light work on, if there are any
     gl::Format linear_format_ = gl::Format::kRgba16F;
     PictureEdges edges_;  // of linear_: pixels with more rays
+    RayPatches patches_;
     bool refining_ = true;
     PictureLayer layer_ = PictureLayer::kAll;  // of Output::kLayers
     BodyText body_text_;

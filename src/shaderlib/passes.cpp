@@ -51,6 +51,8 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
     if (refine)
         list.push_back({Stage::kEdges, Output::kLinear, "edges",
                         "marks pixels that differ from a neighbour; these are drawn again with 4, 16 or 36 rays"});
+    if (refine)
+        list.push_back({Stage::kPatches, Output::kLinear, "means of rays", "of these pixels, one ray a fragment"});
     if (stars)
         list.push_back({Stage::kStars, Output::kLinear, "stars", "a point for every image of every star, added to it"});
     if (develop && (bloom || meter))

@@ -115,6 +115,7 @@ constexpr const char *kFullscreen = "stage/fullscreen.vert", *kTile = "stage/til
 constexpr StageFiles kStageFiles[] = {  // by Stage
     {"stage/picture.vert", "stage/trace.frag"},
     {kFullscreen, "stage/edges.frag"},
+    {"stage/patches.vert", "stage/patches.frag"},
     {"stage/star.vert", "stage/star.frag"},
     {kFullscreen, "stage/bloom_down.frag"},
     {kFullscreen, "stage/bloom_up.frag"},
@@ -254,10 +255,8 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},
         {"generated/constants", fmt::format("#define METER_KEY {}\n", kMeterKey)},
         {"generated/tiles",
-         fmt::format(
-             "#define TILE_SIDE {}\n#define BLOCK_SIDE {}\n#define RAYS_A_TILE {}\n#define FIRST_PICTURE_TILE {}\n"
-             "#define FIRST_TILES {}\n",
-             kTileSide, kBlockSide, rays_a_tile(effects), kFirstPictureTile, kFirstTiles)},
+         fmt::format("#define TILE_SIDE {}\n#define PATCHES_SIDE {}\n#define RAYS_A_TILE {}\n#define FIRST_TILES {}\n",
+                     kTileSide, kPatchesSide, rays_a_tile(effects), kFirstTiles)},
         {"generated/objects", bodies.objects},
         {"generated/surfaces", bodies.surfaces},
         {"generated/bodies_march", bodies.march},

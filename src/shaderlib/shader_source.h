@@ -10,7 +10,7 @@
 
 namespace nullscope {
 
-// kEdges: marks the picture's pixels that differ much from a neighbour. kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
+// kEdges: marks the picture's pixels that differ much from a neighbour. kPatches: the means of their rays. kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
 // linear light. kDevelop: from it to the display. kRayDepth: beside ray data, for layers. kBareFetch: one fetch of the sky a pixel,
 // a baseline of cost. Tiles are squares of the picture. kRays: the rays through their corners. kTiles: which bodies they may show;
 // kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated;
@@ -22,6 +22,7 @@ namespace nullscope {
 enum class Stage {
     kPicture,
     kEdges,
+    kPatches,
     kStars,
     kBloomDown,
     kBloomUp,
@@ -49,9 +50,8 @@ enum class Stage {
 };
 inline constexpr int kTileSide = 8;    // px
 inline constexpr int kFirstTiles = 4;  // tiles a side of those of the first pass, which bodies are looked for in
-inline constexpr int kBlockSide = 4;   // px, of the blocks in which pixels are drawn again with more rays
-// Stages that are whole draw one triangle, vertices 0 to 2, or tiles as points, of which this is the first.
-inline constexpr unsigned kFirstPictureTile = 3;
+// Of the target of pixels with more rays (render/ray_patches.h). No power of two: llvmpipe compiles once more for textures of such sizes.
+inline constexpr int kPatchesSide = 504;
 int rays_a_tile(
     const EffectSet& effects);  // of stage kRays: through the corner, and through the middle if rays are interpolated
 // Whether a stage's text depends on the scene at all; else one program serves every scene.
