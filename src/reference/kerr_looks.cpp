@@ -108,7 +108,7 @@ void KerrTrace::show(const State& end, double taken) const {
     const double before = slope(here_, here_.state)[5], after = slope(here_, end)[5],
                  u = std::max(here_.state[5], end[5]);
     const bool turns = before > 0 && after < 0;  // no step has an arc of more than a radian
-    step.nearest = std::max(0.0, (turns ? 0.5 : 1.0) / u - flow_.a);
+    step.nearest = std::max(0.0, (turns ? 0.5 : 1.0) / u - std::abs(flow_.a));
     (*watch_)(step);
 }
 
