@@ -2,6 +2,8 @@
 catch it."""
 from typing import NamedTuple
 
+GLOW = ("gpu_tests", "glow*")
+BODY_SHIFT = ("unit_tests", "body shift*")
 HARD = ("gpu_tests", "hard cases*")
 GOLDEN = ("golden_tests", "every case is*")
 LIMB = ("gpu_tests", "limb darkening*")
@@ -33,6 +35,14 @@ MUTANTS = [Mutant(*row) for row in [
      "trace.s = sqrt(dot(trace.side, trace.side));", "trace.s = dot(trace.side, trace.side);", HARD),
     ("flat-frame", "a number of the frame that is not handed on as it is", "src/shaderlib/flat_frame.cpp",
      "flat_{0} = frame.{0};", "flat_{0} = 1.001 * frame.{0};", ("gpu_tests", "uniform block*")),
+    ("glow-sense", "a body's motion the wrong way in its shift", "shaders/planar/glow.glsl",
+     "float frequency = 1.0 + dot(back, w);", "float frequency = 1.0 - dot(back, w);", GLOW),
+    ("glow-drag", "a body about a rotating hole without dragging of what measures it", "shaders/mino/glow.glsl",
+     "/ (m.r * m.sine) - m.omega)", "/ (m.r * m.sine))", GLOW),
+    ("glow-lapse", "light of a moving body from observers far away", "src/reference/body_shift.cpp",
+     "energy = (1 - from.omega * ray.l_z) / from.alpha;", "energy = 1 - from.omega * ray.l_z;", BODY_SHIFT),
+    ("looks-nearest", "steps by the spin's sign instead of its size", "src/reference/kerr_looks.cpp",
+     "/ u - std::abs(flow_.a));", "/ u - flow_.a);", BODY_SHIFT),
     ("half-angle", "the half-angle formula that cancels", "shaders/core/strip.glsl",
      "float over = cosine > 0.0 ? a : b;\n    float under = cosine > 0.0 ? b : max(a, 1.0e-30);",
      "float over = a;\n    float under = max((1.0 + cosine) * factor, 1.0e-30);", HARD),

@@ -72,3 +72,16 @@ vec3 BODY_normal(int i, RayPlace place) {
     vec3 slope = BODY_slope(i, place);
     return slope / max(sqrt(dot(slope, slope)), 1.0e-12);
 }
+
+#ifdef EFFECT_GLOW
+#ifdef BODY_MOVES
+#define BODY_TICK 0.05   // r_s/c: over which its motion is taken
+// dx/dt of its surface, along the normal, when the light left.
+vec3 BODY_velocity(int i, RayPlace place) {
+    float t = BODY_time(i, place);
+    float rate = (BODY_inside(i, place.at, t + BODY_TICK) - BODY_inside(i, place.at, t - BODY_TICK)) * (0.5 / BODY_TICK);
+    vec3 slope = BODY_slope(i, place);
+    return slope * (-rate / max(dot(slope, slope), 1.0e-12));
+}
+#endif
+#endif

@@ -1,4 +1,5 @@
-// Of the first thing that each pixel's ray meets (docs/layers.md): its depth, and the frequency of light from the disc's matter.
+// Of the first thing that each pixel's ray meets (docs/layers.md): its depth, and the frequency of light from the disc's matter or from a body that
+// shines by its heat.
 #ifdef NEEDS_LIGHT_TIMES
 #ifndef EFFECT_SIDES
 #ifndef EFFECT_ZOOM
@@ -14,11 +15,14 @@
 #ifdef EFFECT_THERMAL_DISC
 #include "object/disc_matter.glsl"
 #endif
+#ifdef EFFECT_GLOW
+#include "generated/bodies_shift"
+#endif
 #include "path/trace"
 #include "stage/fragment_ray.glsl"
 #include "stage/pixel_data.glsl"
 
-layout(location = 0) out vec4 depth_g;   // affine parameter, camera frequency over that in the disc's matter; 0 where there is none
+layout(location = 0) out vec4 depth_g;   // affine parameter, camera frequency over that where it left; 0 where there is none
 #ifdef SLOT_MEDIUM
 layout(location = 1) out vec4 medium_mean;   // of matter along the ray: where its light comes from in the mean, r_s, and the affine parameter there
 #endif
@@ -67,5 +71,8 @@ void main() {
 #endif
 #ifdef EFFECT_THERMAL_DISC
     if (data.hit == 1.0) depth_g.y = matter_g(trace, data.along);
+#endif
+#ifdef EFFECT_GLOW
+    if (data.hit > 1.0) depth_g.y = solid_g(trace, solid_hit(trace, 0.0));
 #endif
 }

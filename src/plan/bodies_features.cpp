@@ -81,6 +81,22 @@ void paint_first(Scene& s) {
     first_material(s).texture = kind;
 }
 
+Feature glow_feature() {
+    return {{Effect::kGlow, "glow", "EFFECT_GLOW", "A body shines by its heat, and g acts on its light.",
+             "a body has a temperature", "its motion and one logarithm or two where it is seen"},
+            [](const FrameFacts& f) -> Reason {
+                for (std::size_t i = 0; i < f.scene.bodies.size(); ++i)
+                    if (const auto& kelvin = f.scene.bodies[i].material.temperature_K)
+                        return fmt::format("{}.temperature = {}", body_section(f.scene, i), *kelvin);
+                return kNot;
+            },
+            [](Scene& s) {
+                for (Body& body : s.bodies) body.material.temperature_K.reset();
+            },
+            sphere_of_four,
+            [](Scene& s) { first_material(s).temperature_K = 6000.0; }};
+}
+
 }  // namespace
 
 std::span<const Feature> bodies_features() {
@@ -116,6 +132,7 @@ std::span<const Feature> bodies_features() {
              paint_first<TextureKind::kImage>(s);
              first_material(s).image = example_image();
          }},
+        glow_feature(),
         {{Effect::kBallPath, "ball-path", "EFFECT_BALL_PATH", "A ball moves.", "ball.motion is not \"still\"",
           "a table of the ball's path; two fetches a step"},
          [](const FrameFacts& f) -> Reason {

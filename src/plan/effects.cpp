@@ -123,7 +123,8 @@ std::vector<Projection> projections_of(const EffectSet& effects) {
 bool has_solids(const EffectSet& effects) { return effects.contains(Effect::kSphere) || has_marched(effects); }
 bool uses_black_body(const EffectSet& effects) {
     return effects.contains(Effect::kThermalDisc) || effects.contains(Effect::kSpot) ||
-           effects.contains(medium_effect(MediumKind::kGas)) || effects.contains(Effect::kMediumBlackBody) ||
+           effects.contains(Effect::kGlow) || effects.contains(medium_effect(MediumKind::kGas)) ||
+           effects.contains(Effect::kMediumBlackBody) ||
            (effects.contains(Effect::kSkyShift) && effects.contains(Effect::kAberration));
 }
 bool takes_samples(const EffectSet& effects) {
@@ -156,6 +157,10 @@ std::vector<EffectReason> required_effects(const Scene& scene) {
 
 namespace {
 
+bool body_glows(const Scene& scene) {
+    return std::ranges::any_of(scene.bodies, [](const Body& body) { return body.material.temperature_K.has_value(); });
+}
+
 FrameFacts facts_of(const Scene& scene, const Spacetime* spacetime, const Observer* observer) {
     const LightSpec& light = scene.light;
     FrameFacts f{scene, spacetime, observer, spacetime != nullptr && spacetime->planar_rays(), false, false,
@@ -170,6 +175,7 @@ FrameFacts facts_of(const Scene& scene, const Spacetime* spacetime, const Observ
              : f.thermal()                                ? "disc.emission = \"thermal\""
              : f.gas()                                    ? "medium.kind = \"gas\""
              : f.has_emission(MediumEmission::kBlackBody) ? "medium.emission = \"black-body\""
+             : body_glows(scene)                          ? "a body's temperature"
              : f.sky_shift                                ? "sky.temperature"
                                                           : nullptr;
     return f;

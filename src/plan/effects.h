@@ -38,6 +38,7 @@ enum class Effect {
     kNoise,
     kFormula,
     kBodyImage,
+    kGlow,
     kPointStars,
     kSky,
     kSkyShift,

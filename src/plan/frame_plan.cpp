@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "plan/glow.h"
 #include "plan/medium.h"
 #include "plan/sides.h"
 #include "spacetime/registry.h"
@@ -12,6 +13,7 @@ namespace {
 
 Status check_objects(const FramePlan& plan) {
     if (Status sides = check_sides(*plan.matter, plan.scene); !sides) return sides.error();
+    if (Status glow = check_glow(*plan.matter, plan.scene); !glow) return glow.error();
     if (Status medium = check_medium(*plan.matter, plan.scene); !medium) return medium.error();
     if ((plan.effects.contains(Effect::kDisc) && !plan.matter->can_have_disc()) ||
         (has_solids(plan.effects) && !plan.matter->can_have_bodies()))

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "expr/formula.h"
 #include "plan/body_kind.h"
 #include "plan/medium.h"
@@ -18,9 +20,12 @@ bool surface_moves(const SurfaceSpec& surface) {
 }
 
 double unseen_radius(const Scene& scene, std::optional<double> horizon) {
-    constexpr double kAbove = 0.01;  // of the horizon's radius
+    constexpr double kAbove = 0.01, kDarkAbove = 5e-4;  // of the horizon's radius
     if (!horizon || !scene.light.delay || !scene.light.lensing) return 0.0;
-    const double radius = (1.0 + kAbove) * *horizon;
+    const bool dark = std::ranges::all_of(scene.bodies, [](const Body& body) {
+        return kind_of(body).moves(body) == nullptr || body.material.temperature_K;
+    });
+    const double radius = (1.0 + (dark ? kDarkAbove : kAbove)) * *horizon;
     return scene.camera.r > radius ? radius : 0.0;
 }
 

@@ -21,7 +21,7 @@ bool surface_moves(const SurfaceSpec& surface);  // whether its formula asks for
 
 // Radius within which no part of a body that moves is seen, and no ball whose middle is there, r_s; 0: none. Followed back in time, rays stay
 // above the horizon for ever: what they would meet there came out of it, or is not seen any more. From a hundredth of its radius above it matter that falls has g of 0.005, and
-// matter at rest of 0.1. Of cameras farther out; where light is delayed and bent.
+// matter at rest of 0.1. Where all that moves has a temperature, and so fades: from 5e-4 of its radius. Of cameras farther out; where light is delayed and bent.
 double unseen_radius(const Scene& scene, std::optional<double> horizon);
 
 }  // namespace nullscope

@@ -5,6 +5,7 @@
 
 #include "expr/formula.h"
 #include "plan/moving.h"
+#include "reference/body_shift.h"
 #include "scene/bodies.h"
 #include "scene/named_surface.h"
 
@@ -38,6 +39,12 @@ Vec3 BodyPart::normal(Vec3 place, double t) const {
     const Vec3 slope{along({tiny, 0, 0}), along({0, tiny, 0}), along({0, 0, tiny})};
     const double size = length(slope);
     return size > 0 ? slope / size : Vec3{0, 0, 0};
+}
+
+void BodyPart::tell(BodyHit& hit, double t) const {
+    if (!glows) return;
+    hit.moves = moves, hit.carries = moves && middle != nullptr;
+    hit.velocity = body_velocity(*this, hit.place, t);
 }
 
 namespace {
@@ -119,6 +126,7 @@ Bodies::Bodies(const Scene& scene, const Metric& matter) : time_(scene.time) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         BodyPart part;
         part.number = object_number(scene, i), part.body = i, part.far = scene.bodies[i].far;
+        part.glows = scene.bodies[i].material.temperature_K.has_value();
         part = std::visit(PartOf{scene, matter, part}, scene.bodies[i].shape);
         if (part.moves && unseen > 0) part.value = above(unseen, part);
         moves_ = moves_ || part.moves;

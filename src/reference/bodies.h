@@ -27,6 +27,8 @@ struct BodyPart {
     double speed = INFINITY;
     bool clear = false;                       // value is at most how far the body is, in r_s and r_s/c
     Vec3 normal(Vec3 place, double t) const;  // BodyHit's; 0 where there is none
+    bool glows = false;                       // it has a temperature
+    void tell(BodyHit& hit, double t) const;  // of its motion, where it glows
 };
 
 // BodyHit's, of a ray that comes from `back`, of any length.

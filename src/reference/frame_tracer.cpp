@@ -9,6 +9,7 @@
 #include "observer/observer.h"
 #include "observer/pose.h"
 #include "observer/ring_view.h"
+#include "plan/glow.h"
 #include "plan/medium.h"
 #include "plan/moving.h"
 #include "plan/sides.h"
@@ -33,6 +34,12 @@ Status check_disc(const DiscSpec& disc) {
     return Done{};
 }
 
+// Of bodies in this metric.
+Status check_there(const Spacetime& spacetime, const Scene& scene) {
+    Status sides = check_sides(spacetime, scene);
+    return sides ? check_glow(spacetime, scene) : sides;
+}
+
 }  // namespace
 
 Result<FrameTracer> FrameTracer::make(const Scene& given) {
@@ -52,7 +59,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     if (Status ok = scene.disc ? check_disc(*scene.disc) : Done{}; !ok) return ok.error();
     TRY(metric, make_metric(scene.spacetime));
     if (Status followed = check_bodies(scene, **metric); !followed) return followed.error();
-    if (Status sides = check_sides(**spacetime, scene); !sides) return sides.error();
+    if (Status bodies = check_there(**spacetime, scene); !bodies) return bodies.error();
     if (const auto observer = observer_of(**spacetime, camera); !observer) return observer.error();
     if (Status parts = check_light_parts(**spacetime, scene); !parts) return parts.error();
     if (scene.disc && !(*spacetime)->can_have_disc())

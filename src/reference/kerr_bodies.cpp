@@ -94,7 +94,9 @@ void BodyWatch::meet(const BodyPart& part, double along, const KerrStep& step) {
                    normal,
                    cosine_between(normal, back),
                    part.middle ? part.middle(t) : Vec3{0, 0, 0},
-                   at.delay};
+                   at.delay,
+                   back};
+    part.tell(*hit_, t);
 }
 
 }  // namespace nullscope::reference

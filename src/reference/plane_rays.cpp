@@ -119,6 +119,9 @@ std::optional<BodyHit> PlaneRay::first_hit() const {
                         normal,
                         cosine_between(normal, earlier - place),
                         part.middle ? part.middle(t) : Vec3{0, 0, 0}};
+        const double aside = std::min(turn, 1e-4 * *angle), beyond = *angle + aside < end() ? aside : 0;
+        first->toward = place_at(*angle - aside) - place_at(*angle + beyond);
+        part.tell(*first, t);
     }
     return first;
 }

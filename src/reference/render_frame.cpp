@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include "light/black_body.h"
+#include "reference/body_shift.h"
 #include "reference/disc_gas.h"
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
@@ -100,13 +101,28 @@ struct Looks {
     const DiscLight* heat;
 };
 
-// Light of the sky, each primary changed as a black body of the sky's temperature has it changed by g.
-Vec3 shifted(Vec3 light, const Scene& scene, double g) {
-    if (!scene.sky.temperature_K || g == 1) return light;
-    const Vec3 own = seen_black_body(*scene.sky.temperature_K, 1, scene.light),
-               seen = seen_black_body(*scene.sky.temperature_K, g, scene.light);
+// Light of a picture, each primary changed as a black body of its temperature has it changed by g.
+Vec3 shifted(Vec3 light, const std::optional<double>& temperature_K, const LightSpec& switches, double g) {
+    if (!temperature_K || g == 1) return light;
+    const Vec3 own = seen_black_body(*temperature_K, 1, switches), seen = seen_black_body(*temperature_K, g, switches);
     const auto changed = [](double a, double by, double of) { return of > 0 ? a * by / of : 0.0; };
     return {changed(light.x, seen.x, own.x), changed(light.y, seen.y, own.y), changed(light.z, seen.z, own.z)};
+}
+
+// Of a body without a temperature whatever g is.
+Vec3 solid_colour(const Looks& looks, const TracedRay& ray, const BodyHit& hit) {
+    const Scene& scene = looks.scene;
+    const Material& material = scene.bodies[hit.body].material;
+    const Vec3 light = body_light(scene, hit, looks.pictures.of(hit.body));
+    if (!material.temperature_K) return light;
+    const Shift own = body_shift(looks.tracer.matter(), ray, hit, scene.light.lensing),
+                all{ray.shift.gravity * own.gravity, ray.shift.doppler * own.doppler};
+    const double g = all.seen(scene.light);
+    if (!(g > 0)) return {0, 0, 0};
+    if (material.texture == TextureKind::kImage) return shifted(light, material.temperature_K, scene.light, g);
+    const Vec3 heat = seen_black_body(*material.temperature_K, g, scene.light);
+    return std::exp2(-log2_brightness(*material.temperature_K, scene.light.bolometric)) *
+           Vec3{light.x * heat.x, light.y * heat.y, light.z * heat.z};
 }
 
 // Its light is multiplied by its coverage already.
@@ -189,11 +205,13 @@ Vec3 ray_colour(const Looks& looks, const TracedRay& ray) {
         through *= 1 - paint.alpha;
     }
     matter.pass(body ? body->along : INFINITY, colour, through);
-    if (body) return colour + through * body_light(scene, *body, looks.pictures.of(body->body));
+    if (body) return colour + through * solid_colour(looks, ray, *body);
     if (ray.fate() == Fate::kEscaped && through > 0) {
         const Vec3 at = ray.end_direction();
-        colour = colour + through * (is_procedural(scene.sky.kind) ? sky_material_of(scene.sky, at)
-                                                                   : shifted(sample_sky(looks.sky, at), scene, ray.g));
+        colour =
+            colour + through * (is_procedural(scene.sky.kind)
+                                    ? sky_material_of(scene.sky, at)
+                                    : shifted(sample_sky(looks.sky, at), scene.sky.temperature_K, scene.light, ray.g));
     }
     if (ray.fate() == Fate::kHit) colour = colour + through * star_colour(ray.end_direction());
     if (ray.fate() == Fate::kOtherSide && looks.far_sky != nullptr)

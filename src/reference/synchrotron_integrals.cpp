@@ -99,11 +99,11 @@ void add(ElectronIntegrals& sum, const Number& n, double u, double s, const Kern
 
 ElectronIntegrals electron_integrals(const ElectronSpec& e, bool isotropic, double s) {
     const bool kappa = e.kind == ElectronKind::kKappa;
-    constexpr double kPanel = 0.4, kNothing = 1e-11;
+    constexpr double kPanelWidth = 0.4, kNothing = 1e-11;
     const double low = std::log(kappa ? 1e-4 / e.kappa : e.gamma_min),
                  high = kappa ? std::log(std::max({1.0, std::sqrt(s)})) - std::log(kNothing) / (e.kappa - 2 + 2.0 / 3)
                               : std::log(e.gamma_max);
-    const int panels = static_cast<int>(std::ceil((high - low) / kPanel));
+    const int panels = static_cast<int>(std::ceil((high - low) / kPanelWidth));
     using Rule = boost::math::quadrature::gauss<double, 10>;
     ElectronIntegrals sum{};
     for (int p = 0; p < panels; ++p) {

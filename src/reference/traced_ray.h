@@ -42,6 +42,10 @@ struct BodyHit {
     double cosine;               // between the ray and the surface's normal, in flat coordinates
     Vec3 middle{0, 0, 0};        // of the body, when the light left
     double delay = kNotANumber;  // of a ray that is integrated: how long ago, by the camera's clock, the light left
+    Vec3 toward{0, 0, 0};        // where the light goes from there, in flat coordinates; of any length
+    bool moves = false;          // the body does
+    bool carries = false;        // all of it as its middle does
+    Vec3 velocity{0, 0, 0};      // body_shift.h
 };
 
 // A part of a ray in matter (medium.h).

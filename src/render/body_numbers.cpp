@@ -6,6 +6,7 @@
 
 #include "light/black_body.h"
 #include "plan/body_kind.h"
+#include "plan/glow.h"
 #include "plan/moving.h"
 #include "scene/named_surface.h"
 #include "scene/orbit_sense.h"
@@ -96,6 +97,28 @@ std::array<FrameVector, 3> spot_numbers(const SpotSpec& spot, const FramePlan& p
              {u_t, u_phi, lapses[0], lapses[1]}}};
 }
 
+// shaders/object/glow.glsl
+std::vector<FrameVector> glow_numbers(const FramePlan& plan) {
+    std::vector<FrameVector> numbers;
+    const LightSpec& light = plan.scene.light;
+    const LapseForm lapse = lapse_form(*plan.matter).value_or(LapseForm{0, 0});
+    for (const std::size_t i : shader_bodies(plan.scene)) {
+        const Material& material = plan.scene.bodies[i].material;
+        if (!material.temperature_K) continue;
+        const double kelvin = *material.temperature_K,
+                     parts = (light.gravity ? 1.0 : 0.0) + (light.doppler ? 2.0 : 0.0);
+        Vec3 factor{1, 1, 1};
+        if (material.texture == TextureKind::kImage) {  // its primaries change as those of the black body do
+            const Vec3 xyz = black_body_xyz(kelvin), own = into_gamut(rec709_from_xyz(xyz / xyz.y));
+            const auto over = [](double of) { return of > 0.0 ? 1.0 / of : 0.0; };
+            factor = {over(own.x), over(own.y), over(own.z)};
+        }
+        numbers.insert(numbers.end(), {{factor, std::log2(kelvin)},
+                                       {log2_brightness(kelvin, light.bolometric), lapse.sum, lapse.product, parts}});
+    }
+    return numbers;
+}
+
 }  // namespace
 
 SolidFormula solid_of(const SurfaceSpec& surface) { return {surface_shape(surface), surface.bound}; }
@@ -154,6 +177,7 @@ std::vector<FrameVector> object_numbers(const FramePlan& plan, const RayFamily* 
     if (plan.scene.disc)
         for (const SpotSpec& spot : plan.scene.spots)
             for (const FrameVector& v : spot_numbers(spot, plan)) numbers.push_back(v);
+    for (const FrameVector& v : glow_numbers(plan)) numbers.push_back(v);
     return numbers;
 }
 

@@ -113,10 +113,10 @@ struct Material {
     int columns = 24, rows = 12;                // of the pattern over u and over v; of noise: grains across the radius
     double band_latitude = 1.0471975511965976;  // kBand, (0, pi/2]
     double rotation = 0.0;                      // of the material about the polar axis
-    double limb = 0.0;                          // light times 1 - limb (1 - cosine of the angle to the normal), [0, 1]
-    double brightness = 1.0;
+    double limb = 0.0, brightness = 1.0;  // limb: light times 1 - limb (1 - cosine of the angle to the normal), [0, 1]
     // Of bodies: light of the side away from a far light source over that where it is overhead, [0, 1]; 1: it shines by itself. Where it is.
     double night = 1.0, sun_longitude = 0.0, sun_latitude = 0.0;  // rad, world axes
+    std::optional<double> temperature_K{};  // of bodies: they shine as a black body; unset: whatever g is
     ImageSource source() const { return {image, image_layer}; }
     friend bool operator==(const Material&, const Material&) = default;
 };

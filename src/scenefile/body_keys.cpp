@@ -92,7 +92,8 @@ std::vector<SceneKey> material_keys(std::string_view section) {
          "texture = \"image\""},
         formula_key<Of>(section, "Share of the first colour, from 0 to 1; needs texture = \"formula\"."),
         {section, "colour", KeyType::kColour, "", "[1, 0.72, 0.42]", kColour, "",
-         "First colour, linear red, green and blue; images are multiplied by it (by default by 1).",
+         "First colour, linear red, green and blue; images and what has a temperature are multiplied by it (by default "
+         "by 1).",
          [](auto& s) { return &Of::material(s).colour; }},
         {section, "second_colour", KeyType::kColour, "", "[0.12, 0.05, 0.03]", kColour, "",
          "Second colour: the other cells, the background between lines, where the formula is 0.",
@@ -110,6 +111,12 @@ std::vector<SceneKey> material_keys(std::string_view section) {
          "Light of the night side over that of the subsolar point of a distant sun; Lambert's law in between. 1: "
          "self-luminous.",
          [](auto& s) { return &Of::material(s).night; }},
+        {section, "temperature", KeyType::kNumber, "K", "", closed(1e3, 1e9), "",
+         "If set, it shines as a black body of this temperature, of brightness 1 in its own frame, times colours; with "
+         "texture = \"image\" the image shines, as light of this temperature. The redshift factor g acts on it: "
+         "gravity, "
+         "its motion and the camera's.",
+         [](auto& s) { return &Of::material(s).temperature_K; }},
         sun_key<Of, &Material::sun_longitude>(section, "sun_longitude", kAnyAngle,
                                               "Longitude of that sun's direction; needs night below 1."),
         sun_key<Of, &Material::sun_latitude>(

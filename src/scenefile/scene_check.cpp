@@ -14,8 +14,8 @@
 #include "observer/ring_view.h"
 #include "plan/body_kind.h"
 #include "plan/medium.h"
+#include "plan/metric_faults.h"
 #include "plan/moving.h"
-#include "plan/sides.h"
 #include "scene/bodies.h"
 #include "scene/medium_dumps.h"
 #include "scene/orbit_sense.h"
@@ -344,7 +344,8 @@ void settle_size(Scene& scene, const GivenKeys& given) {
 void settle_defaults(Scene& scene, const GivenKeys& given) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         if (Material& material = scene.bodies[i].material;
-            material.texture == TextureKind::kImage && !given(body_section(scene, i) + ".colour"))
+            (material.texture == TextureKind::kImage || material.temperature_K) &&
+            !given(body_section(scene, i) + ".colour"))
             material.colour = {1, 1, 1};
     if (scene.disc && scene.disc->material.texture == TextureKind::kGas &&
         scene.disc->emission == DiscEmission::kThermal && !given("disc.colour"))
@@ -379,10 +380,8 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     append(faults, of_right_half(check_disc_orbits(scene, other)));
     append(faults, check_patterns(scene));
     append(faults, check_bodies(scene, world ? world->horizon_radius().value_or(0.0) : 0.0));
-    if (world) append(faults, side_faults(*world, scene)), append(faults, medium_faults(*world, scene));
-    if (other)
-        append(faults, of_right_half(side_faults(*other, scene))),
-            append(faults, of_right_half(medium_faults(*other, scene)));
+    if (world) append(faults, metric_faults(*world, scene));
+    if (other) append(faults, of_right_half(metric_faults(*other, scene)));
     append(faults, check_other_keys(scene, given));
     append(faults, check_spots(scene));
     if (!faults.empty()) return faults;

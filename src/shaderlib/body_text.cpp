@@ -9,6 +9,8 @@
 #include "plan/body_kind.h"
 #include "plan/moving.h"
 #include "scene/named_surface.h"
+#include "shaderlib/glow_text.h"
+#include "shaderlib/march_statements.h"
 #include "shaderlib/medium_text.h"
 #include "shaderlib/pattern_text.h"
 #include "shaderlib/shader_source.h"
@@ -53,10 +55,11 @@ struct Group {
     BodyMapping mapping;
     std::string formula;
     int image;
+    bool glows;
     std::string name{};            // of its light
     std::size_t from = 0, to = 0;  // in the shader's order
     bool is_list() const { return to - from > 1; }
-    auto key() const { return std::tie(shape.marched, shape, far, texture, mapping, formula, image); }
+    auto key() const { return std::tie(shape.marched, shape, far, texture, mapping, formula, image, glows); }
 };
 
 Group group_of(const Body& body, const std::vector<ImageSource>& images, bool mino) {
@@ -67,7 +70,8 @@ Group group_of(const Body& body, const std::vector<ImageSource>& images, bool mi
             material.texture,
             material.mapping,
             material.texture == TextureKind::kFormula ? material.formula : "",
-            image ? static_cast<int>(std::find(images.begin(), images.end(), material.source()) - images.begin()) : -1};
+            image ? static_cast<int>(std::find(images.begin(), images.end(), material.source()) - images.begin()) : -1,
+            material.temperature_K.has_value()};
 }
 
 // A still sphere is seen where no larger one is about it; of equal ones the first.
@@ -186,19 +190,6 @@ std::string object_statement(const Group& group, const std::string& value) {
     const bool one = group.to - group.from == 1;
     return fmt::format("    if ({0} < value) {{\n        value = {0};\n        object = {1};\n    }}\n", value,
                        one ? fmt::format("{}", kFirstBody + group.from) : fmt::format("{} + i", kFirstBody));
-}
-
-// How far body i is, or that it is near.
-std::string clear_statement(const std::string& away) {
-    return fmt::format(
-        "    next = {};\n    if (!(next >= near)) bodies = with_bit(i, bodies);\n"
-        "    if (!bit_in(i, bodies)) away.x = min(away.x, next);\n    away.y = min(away.y, next);\n",
-        away);
-}
-
-// Body i is added to a set unless it is farther than the way.
-std::string list_statement(const std::string& away, const char* set) {
-    return fmt::format("    if (!({0} > way)) {1} = with_bit(i, {1});\n", away, set);
 }
 
 // The statements of march_list: those whose room may be shorter than the way by a bound of it, and of these those whose is.
@@ -331,7 +322,17 @@ std::string hit_text(const std::vector<Group>& groups) {
            placed + "    if (other.object != 0 && (hit.object == 0 || other.phi < hit.phi)) hit = other;\n" + end;
 }
 
-std::string lights_text(const std::vector<Group>& groups, const Scene& scene) {
+// Of those that have a temperature.
+GlowText glows_text(const std::vector<Group>& groups, const Scene& scene) {
+    std::vector<GlowGroup> glowing;
+    for (const Group& g : groups)
+        if (g.glows) glowing.push_back({g.name, g.shape.name, g.shape.moves, g.from, g.to});
+    GlowText text = glow_text(scene, glowing);
+    if (!glowing.empty()) text.shift = includes_of(groups) + text.shift;
+    return text;
+}
+
+std::string lights_text(const std::vector<Group>& groups, const Scene& scene, const std::string& glow) {
     const std::vector<std::size_t> order = shader_bodies(scene);
     std::string text = includes_of(groups), choice;
     std::set<int> images;  // a file may be on bodies of several groups
@@ -339,17 +340,17 @@ std::string lights_text(const std::vector<Group>& groups, const Scene& scene) {
         if (group.texture == TextureKind::kImage && images.insert(group.image).second)
             text += fmt::format("uniform sampler2D body_image_{};\n", group.image);
         text += light_text(group, scene.bodies[order[group.from]].material);
-        choice += fmt::format("    if (i < {}) return {}_light(i, trace, hit.place);\n", group.to, group.name);
+        choice += fmt::format("    if (i < {}) return {}_{}(i, trace, hit.place);\n", group.to, group.name,
+                              group.glows ? "glow" : "light");
     }
-    return text + "vec3 solid_light(Trace trace, SolidHit hit) {\n    int i = hit.object - BODIES_FROM;\n" + choice +
-           "    return vec3(0.0);\n}\n";
+    return text + glow + "vec3 solid_light(Trace trace, SolidHit hit) {\n    int i = hit.object - BODIES_FROM;\n" +
+           choice + "    return vec3(0.0);\n}\n";
 }
 
 std::string objects_text(const std::vector<Group>& groups, const Scene& scene) {
     const std::size_t bodies = groups.empty() ? 0 : groups.back().to, spots = scene.disc ? scene.spots.size() : 0;
     if (bodies + spots == 0) return "";
-    std::string text =
-        fmt::format("#define OBJECT_VECTORS {}\n#define BODIES_FROM {}\n", 5 * bodies + 3 * spots, kFirstBody);
+    std::string text = fmt::format("#define OBJECT_VECTORS {}\n#define BODIES_FROM {}\n", glow_to(scene), kFirstBody);
     if (spots > 0) text += fmt::format("#define SPOT_FROM {}\n#define SPOT_COUNT {}\n", 5 * bodies, spots);
     for (const Group& group : groups)
         if (group.shape.name == "moving_ball")
@@ -385,14 +386,14 @@ BodyText body_text(const Scene& scene, const EffectSet& effects) {
     const auto groups = groups_of(scene, mino);
     BodyText text;
     text.materials = materials_of(scene);
-    text.medium = medium_text(scene);
-    text.law = medium_law_text(scene);
+    text.medium = medium_text(scene), text.law = medium_law_text(scene);
     text.law_by_place = scene.medium && scene.medium->by_place();
     text.objects = objects_text(groups, scene);
     if (groups.empty()) return text;
     text.surfaces = surfaces_text(groups), text.march = march_text(groups, scene, effects);
     if (!mino) text.hit = hit_text(groups);
-    text.light = lights_text(groups, scene);
+    const GlowText glow = glows_text(groups, scene);
+    text.shift = glow.shift, text.light = lights_text(groups, scene, glow.light);
     return text;
 }
 

@@ -12,7 +12,7 @@ namespace nullscope {
 
 inline constexpr int kBallPathAhead = 64;  // cells of a ball's path, for which a node knows the largest acceleration
 
-// What generated/objects, surfaces, bodies_march, bodies_hit, bodies_light, materials, medium_matter and medium_law stand for where a shader includes them.
+// What generated/objects, surfaces, bodies_march, bodies_hit, bodies_light, bodies_shift, materials, medium_matter and medium_law stand for where a shader includes them.
 // Compared as a whole: two scenes with equal texts and equal effects have one program.
 struct BodyText {
     std::string objects;    // OBJECT_VECTORS and where in them what begins
@@ -20,6 +20,7 @@ struct BodyText {
     std::string march;      // march_ask, march_nearest, march_object, MARCH_MOST_STEPS
     std::string hit;        // solid_hit: the first body on the ray; about a rotating hole the tracer finds it
     std::string light;      // solid_light: and its light
+    std::string shift;      // solid_g: of bodies with a temperature how the frequencies of their light arrive
     std::string materials;  // disc_material_pattern, sky_pattern: what a disc and a sky without images are painted with
     std::string medium;     // medium_matter: names of its numbers, and what is by formula
     std::string law;        // medium_law: the file of its emission law

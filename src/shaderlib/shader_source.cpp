@@ -262,6 +262,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         {"generated/bodies_march", bodies.march},
         {"generated/bodies_hit", bodies.hit},
         {"generated/bodies_light", bodies.light},
+        {"generated/bodies_shift", bodies.shift},
         {"generated/materials", bodies.materials},
         {"generated/medium_law", bodies.law},
         {"generated/medium_matter", bodies.medium}};

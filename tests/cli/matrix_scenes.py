@@ -51,6 +51,7 @@ THINGS = {
     "ball-orbit": {"ball": [{**BALL, "position": [3.6, -2.2, 0.0], "motion": "orbit"}]},
     "ball-geodesic": {"ball": [{**BALL, "position": [4.6, -3.2, 0.9], "motion": "geodesic", "velocity": [0.1, 0.0, 0.36]}]},
     "ball-path": {"ball": [{"radius": 1.5, **PLAIN, "motion": "path", "x": "3.6 + sin(0.2*t)", "y": "cos(0.2*t) - 3", "z": "0.9"}]},
+    "ball-hot": {"ball": [{**BALL, "position": [3.6, -2.2, 0.0], "temperature": 5000.0}]},
     "ball-beyond": {"ball": [{**BALL, "position": [5.0, 0.0, 1.5], "radius": 2.5, "side": "far"}]},
     "balls": {"ball": [BALL, {**BALL, "position": [-4.0, 3.0, -1.0], "radius": 2.0}]},
     "sphere": {"sphere": [{"radius": 3.0, **PLAIN}]},
@@ -194,6 +195,7 @@ ALL = set(METRICS)
 REFUSED = [
     ({"metric": NO_OBJECTS, "thing": set(THINGS) - {"none"}}, r"neither discs nor bodies|no matter along rays|is not available in|no far side|no circular orbit"),
     ({"metric": ALL - set(WORMHOLES), "thing": {"ball-beyond"}}, "has no far side"),
+    ({"metric": set(WORMHOLES), "thing": {"ball-hot"}}, "how light of bodies is shifted"),
     ({"thing": {"ball-beyond"}, "extra": SPLITS}, "has no far side"),
     ({"metric": ALL - {"kerr", "minkowski"}, "thing": {"matter-grid"}}, "its matter is about a hole|no matter along rays"),
     ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MATTER_THINGS}, "no matter along rays"),

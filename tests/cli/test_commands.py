@@ -191,7 +191,7 @@ class Commands(support.CliTest):
         self.assertLessEqual({"fisheye", "equirectangular", "cylindrical", "cube-faces"}, set(projections))
         self.assertEqual([effect for effect in left_out[:-len(media)] if effect not in projections],
                          ["spin", "spin-fall", "disc-pattern", "thermal-disc", "shift", "beaming", "bolometric", "sphere", "cylinder", "ball", "surface", "pattern", "noise", "formula",
-                          "body-image", "point-stars", "sky", "sky-shift", "sky-pattern", "inner", "bounce", "far-sky", "star",
+                          "body-image", "glow", "point-stars", "sky", "sky-shift", "sky-pattern", "inner", "bounce", "far-sky", "star",
                           "bloom", "auto-exposure", "tone-film", "tone-neutral", "dither", "sides", "delay", "light-times", "disc-flow", "ring-rates", "spot", "ball-path", "pulse", "inner-horizon",
                           "limb-darkening", "samples", "disc-gas", "narrow-disc", "polarisation", "polariser", "zoom", "spin-ring", "spin-near", "warp"])
         self.assertTrue(all(e["cost"] for e in found["effects"]))

@@ -34,6 +34,7 @@ WORDS = {
     "noise": [r"grain\w*"],
     "formula": [r"\w+_blend"],
     "body-image": [r"\w+_image", r"body_image_\d"],
+    "glow": [r"(?:ball|sphere|surface|cylinder|pulse)\w*_glow", r"glow_\w+", r"rest_g", r"moving_g", r"solid_g"],
     "sky": [r"sky_texture", r"celestial\w*"],
     "sky-shift": [r"sky_(?:shift|light)"],
     "sky-pattern": [r"sky_pattern\w*"],
@@ -103,6 +104,7 @@ SCENES = {
     "noise": '[sky]\nkind = "black"\n[cylinder]\ntexture = "noise"\n',
     "formula": '[sky]\nkind = "black"\n[ball]\ntexture = "formula"\nformula = "u"\n',
     "body-image": '[sky]\nkind = "black"\n[sphere]\ntexture = "image"\nimage = "IMAGE"\n',
+    "glow": '[sky]\nkind = "black"\n[sphere]\ntemperature = 6000\n[light]\nshift = "off"\n',
     "everything": '[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nedge = 0.2\n[sphere]\ntexture = "checker"\n'
                   '[cylinder]\ntexture = "noise"\n[ball]\ntexture = "formula"\nformula = "u"\n',
     "ring-rates": '[spacetime]\nmetric = "formula"\nA = "1 - 1/r"\n[sky]\nkind = "black"\n[disc]\nflow = "kepler"\n[light]\ndelay = "off"\n',

@@ -77,6 +77,7 @@ std::vector<Scene> full_scenes() {
     add_body<CylinderSpec>(holes).material.texture = TextureKind::kNoise;
     Material& ball = add_body<BallSpec>(holes).material;
     ball.texture = TextureKind::kFormula, ball.formula = "u"s;
+    ball.temperature_K = 5000;
     Material& surface = add_body<SurfaceSpec>(holes).material;
     surface.texture = TextureKind::kImage, surface.image = assets_directory() / "sky" / "milky-way.jpg";
     holes.medium.emplace().gas.flow = DiscFlowKind::kKepler;

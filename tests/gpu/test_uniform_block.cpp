@@ -44,6 +44,7 @@ Scene scene_of(unsigned bits) {
     if (has(5)) add_body<CylinderSpec>(scene).material.texture = TextureKind::kNoise;
     if (has(6)) add_body<BallSpec>(scene).material.texture = TextureKind::kImage;
     if (has(7)) add<SurfaceSpec>(scene);
+    if (has(5) && has(6)) scene.bodies.back().material.temperature_K = 5000.0;
     if (has(2) && has(8)) scene.disc->flow = DiscFlowKind::kKepler, scene.spots.emplace_back();
     if (has(6) && has(8)) first_shape<BallSpec>(scene)->motion = BallMotion::kOrbit;
     return scene;

@@ -119,6 +119,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kNoise, {"grain_noise"}},
     {Effect::kFormula, {"_blend("}},
     {Effect::kBodyImage, {"_image(", "body_image_0"}},
+    {Effect::kGlow, {"glow_light(", "rest_g(", "solid_g("}},
     {Effect::kSky, {"celestial_sphere(", "sky_texture", "vec4 sky;"}},
     {Effect::kSkyShift, {"sky_shift", "vec4 sky_light;"}},
     {Effect::kSkyPattern, {"sky_pattern_light", "sky_pattern", "vec4 sky_pattern_x;"}},

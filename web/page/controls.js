@@ -19,6 +19,7 @@ const OPTIONAL = ["disc"];  // sections that a scene may do without
 const SPANS = {
   "camera.exposure": [-6, 6], "camera.fov": [10, 150], "disc.brightness": [0, 10], "disc.inner": [0, 20], "disc.outer": [0, 60],
   "sky.brightness": [0, 4], "far_sky.brightness": [0, 4], "disc.temperature": [1000, 100000], "sky.temperature": [1000, 100000],
+  "sphere.temperature": [1000, 100000], "cylinder.temperature": [1000, 100000],
   "picture.polariser": [0, 180], "spot.r": [1.5, 20], "spot.size": [0.05, 2], "spot.brightness": [0, 10], "spot.temperature": [1000, 100000],
 };
 const WORDS = {

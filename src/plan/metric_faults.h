@@ -1,0 +1,18 @@
+// What of a scene is not followed in its metric.
+#pragma once
+#include <vector>
+
+#include "plan/glow.h"
+#include "plan/medium.h"
+#include "plan/sides.h"
+
+namespace nullscope {
+
+inline std::vector<SceneFault> metric_faults(const Spacetime& spacetime, const Scene& scene) {
+    std::vector<SceneFault> faults = side_faults(spacetime, scene);
+    for (auto* more : {glow_faults, medium_faults})
+        for (SceneFault& fault : more(spacetime, scene)) faults.push_back(std::move(fault));
+    return faults;
+}
+
+}  // namespace nullscope

@@ -1,0 +1,97 @@
+// Bodies that shine by their heat: the driver's light and g of them against the reference's.
+#include <algorithm>
+#include <cmath>
+
+#include "base/assets.h"
+#include "reference/reference.h"
+#include "support/draft.h"
+#include "support/gpu_session.h"
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+namespace {
+
+Body hot_body(BodyShape shape, double kelvin) {
+    Body body;
+    body.shape = std::move(shape);
+    body.material.temperature_K = kelvin, body.material.colour = {1, 1, 1};
+    return body;
+}
+
+struct Glowing {
+    const char* name;
+    Scene scene;
+};
+
+Scene about(const char* metric, double spin, std::vector<Body> bodies) {
+    Draft draft;
+    draft.metric(metric).place(15, 1.2).size(48, 27).plane(0.9).sky(SkyKind::kBlack).at_time(7);
+    if (spin != 0) draft.spin(spin).by(ObserverKind::kZamo);
+    Scene scene = draft;
+    scene.picture.refine = false;
+    scene.bodies = std::move(bodies);
+    return scene;
+}
+
+std::vector<Glowing> glowing_scenes() {
+    const BallSpec circling{.position = {4, 0, 0}, .radius = 1, .motion = BallMotion::kOrbit},
+        falling{.position = {0, -5, 1}, .radius = 1, .motion = BallMotion::kGeodesic, .velocity = {0, 0, 0.2}},
+        path{.position = {},
+             .radius = 1,
+             .motion = BallMotion::kPath,
+             .x = "5*cos(0.1*t)",
+             .y = "1 + 0*t",
+             .z = "3*sin(0.1*t)"};
+    const SphereSpec pulse{.radius = 1.9, .amplitude = 0.2, .period = 30};
+    std::vector<Glowing> all = {
+        {"falls and pulsates",
+         about("schwarzschild", 0,
+               {hot_body(falling, 9000), hot_body(pulse, 4000), hot_body(BallSpec{{0, 5, 1}, 1}, 5000)})},
+        {"circles a charge", about("reissner-nordstrom", 0, {hot_body(circling, 6000)})},
+        {"circles about a rotating hole", about("kerr", 0.9, {hot_body(circling, 6000), hot_body(path, 7000)})},
+        {"pulsates about a rotating hole",
+         about("kerr", -0.9, {hot_body(pulse, 5000), hot_body(CylinderSpec{5, 7, 0.4}, 5000)})},
+        {"in flat space", about("minkowski", 0, {hot_body(path, 6000)})}};
+    for (const int off : {0, 1, 2}) {
+        Scene scene = about("schwarzschild", 0, {hot_body(circling, 6000)});
+        (off == 0 ? scene.light.lensing : off == 1 ? scene.light.doppler : scene.light.gravity) = false;
+        scene.light.bolometric = off == 1;
+        all.push_back({off == 0 ? "straight light" : off == 1 ? "without doppler" : "without gravity", scene});
+    }
+    return all;
+}
+
+TEST_CASE("glow: the light of bodies is the reference's") {
+    constexpr double kLight = 5e-4;  // relative: a float's place, and twice that of the velocity by differences of it
+    constexpr double kEdges = 0.3;   // of the lit pixels: rims are covered in part, in the reference's one ray not
+    on_one_context([&](GpuSession& session) {
+        for (const auto& [name, scene] : glowing_scenes()) {
+            CAPTURE(std::string(name));
+            const auto sky = build_sky(scene.sky, assets_directory(), 16);
+            REQUIRE(sky);
+            const auto exact = reference::render_frame(scene, *sky, {}, 1);
+            REQUIRE(exact);
+            const Image<float> picture = picture_of(session, scene);
+            Scene dull = scene;
+            for (Body& body : dull.bodies) body.material.temperature_K.reset();
+            const Image<float> other = picture_of(session, dull);
+            std::vector<double> off;
+            int changed = 0;
+            for (std::size_t i = 0; i < picture.data.size(); i += 3) {
+                if (!(exact->data[i] > 0) || !(picture.data[i] > 0)) continue;
+                off.push_back(std::fabs(picture.data[i] / exact->data[i] - 1));
+                changed += std::fabs(other.data[i] / exact->data[i] - 1) > 0.02;
+            }
+            std::ranges::sort(off);
+            REQUIRE(off.size() > 25);
+            const double most = off[static_cast<std::size_t>((1 - kEdges) * static_cast<double>(off.size()))];
+            fmt::print("glow: {}: {} lit pixels, median {:.1e}, within rims {:.1e}, changed by heat {}\n", name,
+                       off.size(), off[off.size() / 2], most, changed);
+            CHECK(most < kLight);
+            CHECK(changed > 10);
+        }
+    });
+}
+
+}  // namespace
