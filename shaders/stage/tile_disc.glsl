@@ -26,7 +26,7 @@ struct TileCrossing {
 bool tile_leaves(vec2 place) {
     float r2 = dot(place, place);
     float far = TILE_FAR * frame.disc_y.w;
-    vec2 camera = vec2(frame.radial.x, frame.radial.y) / frame.shift.y;
+    vec2 camera = vec2(dot(frame.radial.xyz, frame.disc_x.xyz), dot(frame.radial.xyz, frame.disc_y.xyz)) / frame.shift.y;
     return r2 == 0.0 || (r2 > far * far && r2 > dot(place, camera));
 }
 

@@ -16,6 +16,7 @@
 #include "observer/ball_motion.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
+#include "scene/leaning_disc.h"
 #include "scene/orbit_sense.h"
 #include "sky/sky.h"
 #include "spacetime/circular_orbit.h"
@@ -64,11 +65,15 @@ public:
 
 private:
     Vec3 on_disc(Vec3 place, double time) const {
-        if (scene_.disc->flow == DiscFlowKind::kStill) return place;
+        const bool flows = scene_.disc->flow != DiscFlowKind::kStill;
+        if (!flows && !disc_precesses(scene_)) return place;
+        const DiscPlane plane = disc_plane_of(scene_), then = disc_plane(scene_.disc->lean, scene_.time + time);
+        const double x = dot(place, plane.x), y = dot(place, plane.y);
         const auto orbit =
-            circular_orbit(spacetime_, std::hypot(place.x, place.y), sense_about(spacetime_, scene_.disc->sense));
+            flows ? circular_orbit(spacetime_, std::hypot(x, y), sense_about(spacetime_, scene_.disc->sense))
+                  : std::nullopt;
         const double turned = orbit ? orbit->omega * time : 0.0, c = std::cos(turned), s = std::sin(turned);
-        return {c * place.x - s * place.y, s * place.x + c * place.y, 0.0};
+        return then.place(c * x - s * y, s * x + c * y);
     }
 
     const Scene& scene_;

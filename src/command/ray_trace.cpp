@@ -12,6 +12,7 @@
 #include "reference/disc_polarisation.h"
 #include "reference/ray_plane.h"
 #include "reference/reference.h"
+#include "scene/leaning_disc.h"
 #include "scene/projection.h"
 
 namespace nullscope::cli {
@@ -26,9 +27,11 @@ bool has_matter(const Scene& scene, const Spacetime& spacetime) {
 }
 
 // Ends the ray on the scene's disc if that is opaque; everything along the light ray itself stays.
-void stop_at_disc(const DiscSpec& disc, const RayQuery& query, RayRecord& record) {
+void stop_at_disc(const Scene& scene, const RayQuery& query, RayRecord& record) {
+    const DiscSpec& disc = *scene.disc;
     const Vec3 n = query.orbit ? Vec3{0, 0, 1} : query.n;  // the reduced form lies in the equatorial plane
-    const reference::RayPlane plane(query.orbit ? M_PI / 2 : query.theta, query.orbit ? 0.0 : query.phi, n);
+    const reference::RayPlane plane(query.orbit ? M_PI / 2 : query.theta, query.orbit ? 0.0 : query.phi, n,
+                                    disc_plane_of(scene).normal);
     for (std::size_t k = 0; k < record.crossings.size(); ++k) {
         const double r = record.crossings[k].r;
         if (!(r >= disc.inner && r <= disc.outer)) continue;
@@ -71,7 +74,7 @@ Status trace_with_reference(const Scene& scene, const Spacetime& spacetime, std:
         auto record = reference::trace_ray(scene, rays[i], listed, matter ? &*matter : nullptr);
         if (!record) return output.error(i, record.error());
         if (polarised) add_polarisation(*polarised, rays[i], crossings, *record);
-        if (opaque) stop_at_disc(*scene.disc, rays[i], *record);
+        if (opaque) stop_at_disc(scene, rays[i], *record);
         output.take(i, std::move(*record));
         output.done(1);
     }

@@ -11,6 +11,7 @@
 #include "observer/spin_ring.h"
 #include "reference/ray_plane.h"
 #include "render/listed_start.h"
+#include "scene/leaning_disc.h"
 #include "scene/orbit_sense.h"
 #include "spacetime/spherical_metric.h"
 
@@ -127,6 +128,7 @@ struct Common {
     const ListedStart& start;
     int crossings;
     bool planes, delays;   // planes: rays keep to one, and sweep an angle in it; delays: the shader knows them
+    DiscPlane disc;        // whose crossings they are
     double shifts_beyond;  // r_s, the horizon's radius where crossings have a shift; else infinite
     const PolarisationSpec* polarisation;  // of their light; or null
 };
@@ -158,9 +160,10 @@ void add_crossings(const Job& job, const RayNumbers& numbers, const ListedRay& r
     for (int k = 0; k < ray.count; ++k) {
         const ListedRay::Crossing& met = ray.crossings[static_cast<std::size_t>(k)];
         const int number = static_cast<int>(record.crossings.size()) + 1;
+        const Vec3 at = common.disc.place(met.x, met.y);
         RayRecord::Crossing crossing{
             std::hypot(met.x, met.y),
-            unwrapped(plane ? plane->azimuth(plane->crossing(number)) : job.start.phi, met.x, met.y)};
+            unwrapped(plane ? plane->azimuth(plane->crossing(number)) : job.start.phi, at.x, at.y)};
         if (crossing.r > common.shifts_beyond && !job.reduced) {
             crossing.g = common.start.g(numbers, met);
             if (common.polarisation != nullptr) {
@@ -255,7 +258,7 @@ private:
     void take(Open& ray, const ListedRay& found, bool is_first) const {
         const Start& start = ray.job->start;
         Plane plane;
-        if (common_.planes) plane.emplace(start.theta, start.phi, start.n);
+        if (common_.planes) plane.emplace(start.theta, start.phi, start.n, common_.disc.normal);
         if (is_first || found.end.fate == Fate::kHit) {
             auto crossings = std::move(ray.record.crossings);
             ray.record = record_of(*ray.job, found, common_, plane);
@@ -317,6 +320,8 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
     Scene drawn = scene;
     const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
     if (!opaque) drawn.disc.reset();  // it ends no ray
+    if (!opaque && disc_leans(scene) && run.crossings > 0)
+        return bad_input("crossings of a disc that leans and is translucent", "--with reference, or disc.opacity = 1");
     const Sense sense = scene.disc ? sense_about(spacetime, scene.disc->sense) : Sense::kEastward;
     const int crossings = plane ? std::min(run.crossings, kMostCrossings) : 0;
     const double shifts_beyond = run.shifts ? spacetime.horizon_radius().value_or(0.0) : INFINITY;
@@ -326,9 +331,13 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
         const auto now = rest.first(static_cast<std::size_t>(end - rest.begin()));
         TRY(ready, lister->prepare(view_along(drawn, now.front().start), crossings > 0 || places));
         const ListedStart start(lister->tables(), sense);
-        const Common common{start,         crossings,
-                            planes,        spacetime.knows_light_time(),
-                            shifts_beyond, run.polarised ? &scene.disc->polarisation : nullptr};
+        const Common common{start,
+                            crossings,
+                            planes,
+                            spacetime.knows_light_time(),
+                            disc_plane_of(scene),
+                            shifts_beyond,
+                            run.polarised ? &scene.disc->polarisation : nullptr};
         Group(*lister, common, opaque && !planes, output).trace(now);
         rest = rest.subspan(now.size());
     }

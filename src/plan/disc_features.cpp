@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plan/feature.h"
+#include "scene/leaning_disc.h"
 #include "scene/projection.h"
 #include "spacetime/circular_orbit.h"
 
@@ -46,12 +47,16 @@ Feature ring_rates() {
 }
 
 // Whether some of its first image may lie between the rays of two pixels. Its rims are ellipses with half axes a and a |cos(theta)|, a in px
-// by the camera's distance: the ends of the outer one are narrower than a pixel where a/(8 b^2) px are left of its length, b the minor half
+// by the camera's distance and theta its angle to the disc's axis: the ends of the outer one are narrower than a pixel where a/(8 b^2) px are left of its length, b the minor half
 // axis; between the rims there are as many px above and below the hole as their minor half axes differ by.
-bool is_narrow(const CameraSpec& camera, const DiscSpec& disc) {
+bool is_narrow(const Scene& scene) {
     constexpr double kEnds_px = 0.5, kBand_px = 2.0;
+    const CameraSpec& camera = scene.camera;
+    const DiscSpec& disc = *scene.disc;
+    const double across = std::sin(camera.theta);
+    const Vec3 outward{across * std::cos(camera.phi), across * std::sin(camera.phi), std::cos(camera.theta)};
     const double pixel = camera.r * pixel_angle(camera, 0.5 * camera.width, 0.5 * camera.height),
-                 slope = std::fabs(std::cos(camera.theta));
+                 slope = std::fabs(dot(disc_plane_of(scene).normal, outward));
     return 8.0 * kEnds_px * slope * slope * disc.outer < pixel || slope * (disc.outer - disc.inner) < kBand_px * pixel;
 }
 
@@ -63,7 +68,7 @@ Feature narrow_disc() {
             [](const FrameFacts& f) {
                 if (!f.so_far.contains(Effect::kRefine) || !f.so_far.contains(Effect::kDisc)) return kNot;
                 return reason_if(
-                    is_narrow(f.scene.camera, *f.scene.disc),
+                    is_narrow(f.scene),
                     fmt::format("camera.theta = {:.4g}, disc.inner = {:.4g}, disc.outer = {:.4g}",
                                 180.0 / M_PI * f.scene.camera.theta, f.scene.disc->inner, f.scene.disc->outer));
             },
@@ -76,7 +81,7 @@ Feature narrow_disc() {
 
 std::span<const Feature> disc_features() {
     static const auto features = std::to_array<Feature>({
-        {{Effect::kDisc, "disc", "EFFECT_DISC", "A flat disc lies in the equatorial plane.", "there is a [disc]",
+        {{Effect::kDisc, "disc", "EFFECT_DISC", "A flat disc lies in a plane through the centre.", "there is a [disc]",
           "where each ray crosses its plane: from tables four fetches a crossing"},
          [](const FrameFacts& f) -> Reason {
              if (!f.scene.disc) return kNot;

@@ -8,6 +8,7 @@
 #include "plan/body_kind.h"
 #include "plan/medium.h"
 #include "scene/bodies.h"
+#include "scene/leaning_disc.h"
 #include "scene/medium_dumps.h"
 
 namespace nullscope {
@@ -42,7 +43,7 @@ std::vector<std::string> moving_parts(const Scene& scene) {
 
 bool changes_with_time(const Scene& scene) {
     const bool film = has_dumps(scene) && scene.medium->grid.last > scene.medium->grid.first;
-    return film || !moving_parts(scene).empty();
+    return film || disc_precesses(scene) || !moving_parts(scene).empty();
 }
 
 std::string moving_words(const Scene& scene) {

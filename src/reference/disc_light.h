@@ -15,7 +15,7 @@ namespace nullscope::reference {
 // What a photon brings to a ring: per unit of its energy at infinity.
 struct PhotonAtDisc {
     double r;      // r_s
-    double l_z;    // angular momentum about the polar axis over energy, r_s
+    double l_z;    // angular momentum about the disc's axis over energy, r_s
     double climb;  // as PlaneCrossing
 };
 

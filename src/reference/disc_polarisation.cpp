@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "observer/pose.h"
 #include "reference/carrying_place.h"
+#include "scene/leaning_disc.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::reference {
@@ -28,9 +31,11 @@ Result<DiscPolarisation> DiscPolarisation::make(const Scene& scene) {
     if (!scene.light.lensing)
         return bad_input("the reference carries no polarisation along straight light", "light.lensing = \"on\"");
     DiscPolarisation made;
-    made.spec_ = scene.disc->polarisation, made.light_ = scene.light;
+    made.spec_ = scene.disc->polarisation, made.light_ = scene.light, made.plane_ = disc_plane_of(scene);
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     made.spacetime_ = std::move(*spacetime);
+    if (disc_leans(scene) && made.spacetime_->rotates())
+        return bad_input("the reference polarises no disc that leans about a rotating hole", "disc.tilt = 0");
     TRY(metric, make_metric(scene.spacetime));
     made.metric_ = std::move(*metric);
     made.carrying_ = carrying_metric(*made.spacetime_);
@@ -47,7 +52,21 @@ Result<CameraAxes> camera_axes(const Spacetime& spacetime, const CameraSpec& cam
 Result<CameraAxes> DiscPolarisation::axes_of(const CameraSpec& camera) const {
     CameraSpec still = camera;
     if (!light_.aberration) still.velocity = {};
-    return camera_axes(*spacetime_, still);
+    TRY(axes, camera_axes(*spacetime_, still));
+    return turned(std::move(*axes));
+}
+
+CameraAxes DiscPolarisation::turned(CameraAxes axes) const {
+    if (plane_.normal == Vec3{0, 0, 1}) return axes;
+    const Mat3 disc_from_world = transposed({plane_.x, plane_.y, plane_.normal});
+    const Mat3 here = disc_from_world * world_from_static(axes.camera.theta, axes.camera.phi);
+    axes.camera.theta = std::atan2(std::hypot(here.a.x, here.a.y), here.a.z);
+    axes.camera.phi = std::atan2(here.a.y, here.a.x);
+    const Mat3 there = transposed(world_from_static(axes.camera.theta, axes.camera.phi));
+    const Vec3 south = there * here.b;
+    for (auto& row : axes.tetrad)
+        std::tie(row[2], row[3]) = std::pair(row[2] * south.y - row[3] * south.z, row[2] * south.z + row[3] * south.y);
+    return axes;
 }
 
 std::optional<Polarised> DiscPolarisation::at(const RayQuery& query, int crossing) const {

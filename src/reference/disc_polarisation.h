@@ -44,7 +44,9 @@ public:
 
 private:
     DiscPolarisation() = default;
+    CameraAxes turned(CameraAxes axes) const;  // as the disc's own axes have it, where a metric is spherical
     PolarisationSpec spec_;
+    DiscPlane plane_;
     LightSpec light_;
     std::shared_ptr<const Spacetime> spacetime_;
     std::shared_ptr<const Metric> metric_;

@@ -14,6 +14,7 @@
 #include "plan/moving.h"
 #include "plan/sides.h"
 #include "reference/reference.h"
+#include "scene/leaning_disc.h"
 #include "scene/projection.h"
 #include "spacetime/registry.h"
 
@@ -50,6 +51,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     FrameTracer tracer;
     tracer.camera_ = scene.camera;
     tracer.disc_ = scene.disc;
+    tracer.plane_ = disc_plane_of(scene);
     const CameraSpec& camera = scene.camera;
     if (camera.width < 1 || camera.height < 1)
         return bad_input(fmt::format("camera: size {}x{} must be at least 1x1", camera.width, camera.height));
@@ -86,6 +88,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     const bool late = scene.light.delay && !moving_parts(scene).empty(),
                disc_moves = scene.disc && (!scene.spots.empty() || scene.disc->flow != DiscFlowKind::kStill);
     RayTask task{tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0, nullptr};
+    task.plane = tracer.plane_;
     TRY(rays, tracer.matter_->rays(scene, **spacetime, task));
     tracer.bare_rays_ = std::move(*rays);
     tracer.rays_ = tracer.bare_rays_;
@@ -127,7 +130,7 @@ std::vector<DiscHit> FrameTracer::disc_hits(const TracedRay& ray, int max_hits) 
     std::vector<DiscHit> hits;
     if (!disc_) return hits;
     for (const PlaneCrossing& c : ray.crossings(max_hits, disc_->inner, disc_->outer))
-        hits.push_back({c.along, c.r * std::cos(c.phi), c.r * std::sin(c.phi), c.climb, c.delay});
+        hits.push_back({c.along, c.r * std::cos(c.bearing), c.r * std::sin(c.bearing), c.climb, c.delay, c.l});
     return hits;
 }
 
@@ -172,9 +175,8 @@ RayPixel FrameTracer::pixel_of(const TracedRay& traced, bool with_delay) const {
     }
     if (!hits.empty() && !(body && body->along < hits.front().along)) {
         pixel.hit = kDiscHit;
-        pixel.u = hits.front().x;
-        pixel.v = hits.front().y;
-        pixel.w = 0;
+        const Vec3 place = plane_.place(hits.front().x, hits.front().y);
+        pixel.u = place.x, pixel.v = place.y, pixel.w = place.z;
         if (disc_->opacity == 1) {
             pixel.fate = Fate::kHit;
             end = hits.front().along;

@@ -19,9 +19,9 @@
 
 namespace nullscope::reference {
 
-// A place where a ray meets the disc, in world axes: x = r cos(phi), y = r sin(phi), in r_s. The rest: PlaneCrossing.
+// A place where a ray meets the disc, along the axes of its plane: x = r cos(bearing), y = r sin(bearing), in r_s. The rest: PlaneCrossing.
 struct DiscHit {
-    double along, x, y, climb, delay;
+    double along, x, y, climb, delay, l;
 };
 
 // How many rays are asked for at once: enough for the lanes of any machine, and few enough to be kept.
@@ -57,6 +57,7 @@ private:
     RayPixel pixel_of(const TracedRay& traced, bool with_delay) const;
     CameraSpec camera_;
     std::optional<DiscSpec> disc_;
+    DiscPlane plane_;  // of the disc
     std::shared_ptr<const Metric> matter_;
     std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const Medium> medium_;

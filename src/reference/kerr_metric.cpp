@@ -32,7 +32,8 @@ public:
         std::vector<PlaneCrossing> list;
         for (const PlaneCrossing& c : ray_.crossings)
             if (c.r >= inner && c.r <= outer && static_cast<int>(list.size()) < most)
-                list.push_back(c), list.back().delay = delays_ ? c.delay : 0.0;
+                list.push_back(c), list.back().delay = delays_ ? c.delay : 0.0, list.back().l = l_z,
+                                   list.back().bearing = c.phi;
         return list;
     }
     std::optional<BodyHit> first_hit() const override { return hit_; }

@@ -56,7 +56,8 @@ Result<RayPtr> reduced_ray(const OrbitMetric& metric, const ReducedRay& ray, con
     TRY(orbit, metric.from_reduced(ray));
     const double r = by_length ? ray.zeta0 : 1 / ray.zeta0, lapse = metric.lapse(r),
                  g = lapse > 0 ? 1 / lapse : kNotANumber, l = 1 / ray.q;
-    return RayPtr(std::make_unique<PlaneRay>(metric, std::move(*orbit), RayPlane(M_PI / 2, 0, {0, 0, 1}),
+    return RayPtr(std::make_unique<PlaneRay>(metric, std::move(*orbit),
+                                             RayPlane(M_PI / 2, 0, {0, 0, 1}, task.plane.normal),
                                              PlanePhoton{r, ray.q, l, -l, Shift{g, 1}, g, false}, task));
 }
 
@@ -80,8 +81,16 @@ std::vector<PlaneCrossing> PlaneRay::crossings(int most, double inner, double ou
         // Traced inward is really moving outward.
         const bool outward = 1 / r > orbit_->zeta_at(angle * (1 - 1e-6));
         const double cosine2 = 1 - metric_.lapse2(r) * (photon_.l * photon_.l) / (r * r);
-        list.push_back({angle, r, plane_.azimuth(angle), std::sqrt(std::max(cosine2, 0.0)) * (outward ? 1 : -1),
-                        crossing_delay(angle, clock)});
+        const double phi = plane_.azimuth(angle);
+        PlaneCrossing crossing{
+            angle, r,  phi, std::sqrt(std::max(cosine2, 0.0)) * (outward ? 1 : -1), crossing_delay(angle, clock),
+            l_z,   phi};
+        if (task_.leans()) {  // the photon comes against the ray
+            const Vec3 at = plane_.direction(angle);
+            crossing.l = -photon_.l * dot(plane_.axis(), task_.plane.normal);
+            crossing.bearing = std::atan2(dot(at, task_.plane.y), dot(at, task_.plane.x));
+        }
+        list.push_back(crossing);
     }
     return list;
 }
@@ -201,9 +210,9 @@ Result<RayPtr> OrbitMetric::ray(const RayQuery& query, const RayTask& task) cons
     RainOrbit start = rain ? from_rain(local) : RainOrbit{from_static(local), 1 / lapse(query.r)};
     // The photon moves against n: L over E is -g r n_phi about the camera's place, and on to the axis.
     const double scale = start.g * query.r, l = scale * local.n_t, l_z = -scale * n.z * std::sin(query.theta);
-    return RayPtr(std::make_unique<PlaneRay>(*this, std::move(start.orbit), RayPlane(query.theta, query.phi, n),
-                                             PlanePhoton{query.r, 1 / l, l, l_z, Shift{start.g, 1}, start.g, rain},
-                                             task));
+    return RayPtr(std::make_unique<PlaneRay>(
+        *this, std::move(start.orbit), RayPlane(query.theta, query.phi, n, task.plane.normal),
+        PlanePhoton{query.r, 1 / l, l, l_z, Shift{start.g, 1}, start.g, rain}, task));
 }
 
 Result<std::unique_ptr<RayFamily>> OrbitMetric::rays(const Scene& scene, const Spacetime& spacetime,
@@ -274,7 +283,7 @@ RayPtr PlaneRays::trace(const Photon& p) const {
                                    : Shift{1 / lapse_, static_cast<double>(doppler)};
     const double l_phi = scale * static_cast<double>(p[3]), l = scale * static_cast<double>(across);
     return std::make_unique<PlaneRay>(
-        metric_, std::move(start.orbit), RayPlane(camera_.theta, camera_.phi, direction),
+        metric_, std::move(start.orbit), RayPlane(camera_.theta, camera_.phi, direction, task_.plane.normal),
         PlanePhoton{camera_.r, 1 / std::abs(l), l, l_phi * std::sin(camera_.theta), shift, shift.seen(light_),
                     falls(camera_), std::atan2(local.n_t, -local.n_r)},
         task_, times_.get());

@@ -13,18 +13,27 @@ constexpr double kPlaneOfRay = 1e-15;
 
 }  // namespace
 
-RayPlane::RayPlane(double theta, double phi, Vec3 n)
+RayPlane::RayPlane(double theta, double phi, Vec3 n, Vec3 normal)
     : sin_theta_(std::sin(theta)), cos_theta_(std::cos(theta)), phi_(phi) {
     const double across = std::hypot(n.y, n.z);
     across_theta_ = across > 0 ? n.y / across : -1.0;
     across_phi_ = across > 0 ? n.z / across : 0.0;
-    // Height cos(theta) cos(a) - across_theta sin(theta) sin(a) = 0.
-    if (std::abs(cos_theta_) < kAlongEquator) {
-        first_crossing_ = std::abs(across_theta_) < kPlaneOfRay ? std::numeric_limits<double>::infinity() : M_PI;
+    // Height begin cos(a) - fall sin(a) = 0; over the equatorial plane cos(theta) cos(a) - across_theta sin(theta) sin(a).
+    const bool leans = normal != Vec3{0, 0, 1};
+    const double begin = leans ? dot(normal, direction(0)) : cos_theta_,
+                 fall = leans ? -dot(normal, cross(axis(), direction(0))) : across_theta_ * sin_theta_;
+    if (std::abs(begin) < kAlongEquator) {
+        first_crossing_ = std::abs(fall) < kPlaneOfRay ? std::numeric_limits<double>::infinity() : M_PI;
     } else {
-        first_crossing_ = std::atan2(cos_theta_, across_theta_ * sin_theta_);
+        first_crossing_ = std::atan2(begin, fall);
         if (first_crossing_ <= 0) first_crossing_ += M_PI;
     }
+}
+
+Vec3 RayPlane::axis() const {
+    const double x = -across_phi_ * cos_theta_, y = across_theta_;  // azimuth 0 at the camera
+    const double cp = std::cos(phi_), sp = std::sin(phi_);
+    return {cp * x - sp * y, sp * x + cp * y, across_phi_ * sin_theta_};
 }
 
 Vec3 RayPlane::direction(double angle) const {

@@ -8,13 +8,16 @@ class RayPlane {
 public:
     // The camera's polar angle and azimuth, the view direction (n_r, n_theta, n_phi) in the static or rain frame.
     // An exactly radial direction has no plane: the meridian's is taken.
-    RayPlane(double theta, double phi, Vec3 n);
+    // normal: of the plane that crossing() asks about, the equatorial one if not given.
+    RayPlane(double theta, double phi, Vec3 n, Vec3 normal = {0, 0, 1});
     // Unit vector, world axes, of the ray's place after a swept angle.
     Vec3 direction(double angle) const;
     // Its azimuth, continuous along the ray, starting at the camera's phi: every half turn of the ray adds pi. (Through
     // the axis the azimuth jumps by pi, towards growing phi.)
     double azimuth(double angle) const;
-    // Swept angle of the k-th crossing of the equatorial plane after the camera, k >= 1; infinite if it stays there.
+    // Of the angular momentum of what moves along it, away from the camera: unit vector, world axes.
+    Vec3 axis() const;
+    // Swept angle of the k-th crossing of the plane after the camera, k >= 1; infinite if it stays there.
     double crossing(int k) const;
 
 private:

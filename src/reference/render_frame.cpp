@@ -149,10 +149,10 @@ Vec3 spot_colour(const Metric& matter, const Scene& scene, const SpotSpec& spot,
         const double at = spot.phase + rate * t + 2 * M_PI * i / spot.count;
         least = std::min(least, std::hypot(hit.x - spot.r * std::cos(at), hit.y - spot.r * std::sin(at)));
     }
-    const double l_z = scene.light.lensing ? ray.l_z : ray.l_z / rest;
+    const double l = scene.light.lensing ? hit.l : hit.l / rest;
     const EquatorialMetric g = matter.equator(spot.r);
     const double u_t = 1 / std::sqrt(-g.g_tt - rate * (2 * g.g_tphi + rate * g.g_phiphi)),
-                 all = 1 / (u_t * (1 - rate * l_z));
+                 all = 1 / (u_t * (1 - rate * l));
     const Shift shift{ray.shift.gravity * rest, ray.shift.doppler * all / rest};
     const Vec3 light = seen_black_body(spot.temperature_K, shift.seen(scene.light), scene.light);
     return spot.brightness / std::exp2(log2_brightness(spot.temperature_K, scene.light.bolometric)) *
@@ -195,7 +195,7 @@ Vec3 ray_colour(const Looks& looks, const TracedRay& ray) {
         matter.pass(hit.along, colour, through);
         Paint paint = pattern_at(looks, hit);
         if (looks.heat != nullptr) {
-            const PhotonAtDisc photon{std::hypot(hit.x, hit.y), ray.l_z, hit.climb};
+            const PhotonAtDisc photon{std::hypot(hit.x, hit.y), hit.l, hit.climb};
             const Vec3 light = looks.heat->colour(photon, ray.g * looks.heat->shift(photon).seen(scene.light));
             paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
         }

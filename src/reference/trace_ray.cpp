@@ -8,6 +8,7 @@
 #include "reference/metric.h"
 #include "reference/plane_ray.h"
 #include "reference/reference.h"
+#include "scene/leaning_disc.h"
 
 namespace nullscope::reference {
 namespace {
@@ -34,7 +35,9 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     }
     if (Status followed = check_bodies(scene, **metric); !followed) return followed.error();
     const Bodies bodies(scene, **metric);
-    TRY(traced, (*metric)->ray(asked, {&bodies, scene.light.delay, false, crossings}));
+    RayTask task{&bodies, scene.light.delay, false, crossings};
+    task.plane = disc_plane_of(scene);
+    TRY(traced, (*metric)->ray(asked, task));
     const TracedRay& ray = **traced;
     const auto hit = ray.first_hit();
     RayRecord record;
@@ -57,7 +60,7 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
         if (hit && c.along > hit->along) break;
         const bool shines = matter && c.r > horizon;
         record.crossings.push_back(
-            {c.r, c.phi, shines ? ray.g * matter->g_infinity({c.r, ray.l_z, c.climb}) : kNotANumber});
+            {c.r, c.phi, shines ? ray.g * matter->g_infinity({c.r, c.l, c.climb}) : kNotANumber});
     }
     return record;
 }

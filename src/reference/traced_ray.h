@@ -14,6 +14,7 @@
 #include "base/vec.h"
 #include "observer/pose.h"
 #include "reference/seen_light.h"
+#include "scene/disc_plane.h"
 #include "scene/ray.h"
 
 namespace nullscope::reference {
@@ -23,13 +24,15 @@ class Medium;
 class PlaneRay;
 class PlaneRays;
 
-// A place where a ray meets the equatorial plane.
+// A place where a ray meets a disc's plane.
 struct PlaneCrossing {
     double along, r, phi;  // r_s, rad; phi with its windings
     // Of the photon, over its energy: the radial part of its momentum, measured by a ZAMO,
     // times the lapse; > 0: it really moves outward. Without rotation a cosine. Outside the horizon.
     double climb;
-    double delay = 0;  // how long ago, by the camera's clock, the light left, r_s/c; 0 where nobody asks (RayTask)
+    double delay = 0;    // how long ago, by the camera's clock, the light left, r_s/c; 0 where nobody asks (RayTask)
+    double l = 0;        // the photon's angular momentum about the plane's axis over its energy, r_s
+    double bearing = 0;  // azimuth in the plane, from its x towards its y; of the equatorial one phi
 };
 
 // Where a ray enters a solid body.
@@ -65,9 +68,11 @@ struct RayTask {
     const Bodies* bodies = nullptr;  // that end rays; outlives them
     bool delays_bodies = false;      // those that move are seen where they were when the light left
     bool delays_disc = false;        // crossings have their `delay`
-    int crossings = 0;               // of the plane, most of one ray
+    int crossings = 0;               // of `plane`, most of one ray
     const Medium* medium = nullptr;  // that lights and dims rays; outlives them
     bool many = false;               // there are so many rays that a grid of them pays (light_times.h)
+    DiscPlane plane{};
+    bool leans() const { return plane.normal != Vec3{0, 0, 1}; }  // from the equator
 };
 
 class TracedRay {
@@ -86,7 +91,7 @@ public:
     virtual double end_azimuth() const = 0;        // its azimuth, windings kept
     virtual double swept(double along) const = 0;  // rad, windings kept; NaN where the ray is in no plane
     virtual double delay() const = 0;              // T = v_cam - v_inf, r_s/c; escaped rays. May take some microseconds
-    // Of the equatorial plane after the camera, before the end, in order: those with inner <= r <= outer, at most
+    // Of the task's plane after the camera, before the end, in order: those with inner <= r <= outer, at most
     // `most`, and not more than the task said. With `delay` a millisecond each where rays are closed forms.
     virtual std::vector<PlaneCrossing> crossings(int most, double inner = -std::numeric_limits<double>::infinity(),
                                                  double outer = std::numeric_limits<double>::infinity()) const = 0;

@@ -9,6 +9,7 @@
 #include "observer/screen_form.h"
 #include "render/body_numbers.h"
 #include "render/medium_numbers.h"
+#include "scene/disc_plane.h"
 #include "scene/orbit_sense.h"
 #include "scene/projection.h"
 #include "scene/ray.h"
@@ -121,9 +122,11 @@ void put_sky(FrameData& frame, const FramePlan& plan, const TextureFacts& textur
 void put_disc(FrameData& frame, const FramePlan& plan, const TextureFacts& textures) {
     const Scene& scene = plan.scene;
     const DiscSpec disc = scene.disc.value_or(DiscSpec{});
-    frame.disc_normal = {{0, 0, 1}, plane_height(scene.camera.theta)};
-    frame.disc_x = {{1, 0, 0}, scene.disc ? disc.inner : 1e30};  // no disc: no radius is on it
-    frame.disc_y = {{0, 1, 0}, scene.disc ? disc.outer : 0.0};
+    const DiscPlane plane = disc_plane(disc.lean, scene.time);
+    const Vec3 outward = world_from_static(scene.camera.theta, scene.camera.phi).a;
+    frame.disc_normal = {plane.normal, height_over(plane, outward)};
+    frame.disc_x = {plane.x, scene.disc ? disc.inner : 1e30};  // no disc: no radius is on it
+    frame.disc_y = {plane.y, scene.disc ? disc.outer : 0.0};
     if (!scene.disc) return;
     frame.disc_map = {std::cos(disc.rotation) / (2 * disc.outer), std::sin(disc.rotation) / (2 * disc.outer),
                       textures.disc_width / (2 * disc.outer), std::log2(std::max(textures.disc_width, 1))};

@@ -8,6 +8,7 @@
 #include "render/frame_numbers.h"
 #include "render/mino_path.h"
 #include "render/planar_path.h"
+#include "scene/leaning_disc.h"
 #include "shaderlib/shader_source.h"
 
 namespace nullscope {
@@ -15,6 +16,11 @@ namespace {
 
 // Every method draws straight light, as none is compiled in.
 constexpr double kLeastFrequency = 1e-6;  // as the shaders have it
+
+DiscPlane plane_of(const FrameData& frame) {
+    const auto vector = [](const FrameVector& v) { return Vec3{v.x, v.y, v.z}; };
+    return {vector(frame.disc_x), vector(frame.disc_y), vector(frame.disc_normal)};
+}
 
 class StraightPath final : public LightPath {
 public:
@@ -38,7 +44,7 @@ RayNumbers LightPath::ray_numbers(const FramePlan& plan, double theta, double ph
     const double critical_cosine = family() != nullptr ? family()->critical_cosine() : -1.0;
     const double critical_sine = family() != nullptr ? family()->critical_sine() : 0.0;
     return {{off_axis, 0, ahead.x, critical_sine * ahead.x - critical_cosine * off_axis},
-            {world * radial, plane_height(theta)},
+            {world * radial, height_over(disc_plane_of(plan.scene), world * radial)},
             {world * meridian, 0},
             {direction_without_rounding(shown * ahead), 0}};
 }
@@ -49,7 +55,7 @@ double LightPath::ray_g(const FramePlan& plan, const FrameData& frame, const Ray
     const double sine = ray.start.x, energy = frame.shift.x + frame.shift.z * ray.start.z,
                  inverse_v = 1.0 / (frame.shift.y * energy);
     const Vec3 e{ray.radial.x, ray.radial.y, ray.radial.z}, m{ray.meridian.x, ray.meridian.y, ray.meridian.z};
-    const double momentum = -sine * cross(e, m).z * inverse_v;
+    const double momentum = -sine * dot(cross(e, m), plane_of(frame).normal) * inverse_v;
     const double frequency = u.x - momentum * u.y - sine * inverse_v * met.climb * u.z;
     // Straight light starts in a frame at rest where there is no gravity.
     return 1.0 / (plan.straight() ? plan.observer.frame.energy() : 1.0) / energy /
@@ -61,8 +67,10 @@ PolarisedPhoton LightPath::photon_of(const FrameData& frame, const RayNumbers& r
                                      int) const {
     const double sine = ray.start.x, inverse_v = 1.0 / (frame.shift.y * (frame.shift.x + frame.shift.z * ray.start.z));
     const Vec3 e{ray.radial.x, ray.radial.y, ray.radial.z}, m{ray.meridian.x, ray.meridian.y, ray.meridian.z};
-    const Vec3 momentum = -sine * inverse_v * cross(e, m), outward = normalized({met.x, met.y, 0.0});
-    return {1.0, momentum.z, sine * inverse_v * met.climb, -cross(momentum, outward).z};
+    const DiscPlane plane = plane_of(frame);
+    const Vec3 momentum = -sine * inverse_v * cross(e, m), outward = normalized(plane.place(met.x, met.y));
+    return {1.0, dot(momentum, plane.normal), sine * inverse_v * met.climb,
+            -dot(cross(momentum, outward), plane.normal)};
 }
 
 std::unique_ptr<LightPath> make_light_path(const std::shared_ptr<const Spacetime>& light) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/disc_plane.h"
 #include "scene/known_object.h"
 #include "scene/medium_spec.h"
 #include "scene/polarisation_spec.h"
@@ -172,7 +173,7 @@ inline Material sky_material(const SkySpec& sky) {
     return material;
 }
 
-// A flat disc in the equatorial plane theta = pi/2, visible from both sides. The image is mapped affinely: its square
+// A flat disc in a plane through the centre, the equatorial one if it does not lean, visible from both sides. The image is mapped affinely: its square
 // [0,1]^2 covers [-outer, outer]^2 in the disc's (x, y), rotated by `rotation`; image row 0 is y = +outer.
 // kImage: the light of image or texture as it is. kThermal: thermal emission, flux by Page and Thorne; image or texture are then the
 // emissivity.
@@ -196,15 +197,15 @@ struct DiscSpec {
     std::string image_layer{};         // of an EXR with several pictures; empty: its own
     double opacity = 1.0;              // (0, 1]; below 1 what lies behind is visible
     double edge = 0.0;                 // fade of opacity at both rims, as a fraction of (outer - inner), [0, 0.5]
-    double rotation = 0.0;
-    double brightness = 1.0;
+    double rotation = 0.0, brightness = 1.0;
     DiscEmission emission = DiscEmission::kImage;
     double temperature_K = 8000.0;             // thermal: of the hottest ring, in its own frame; without `accretion`
     std::optional<AccretionSpec> accretion{};  // thermal: gives the temperature
     DiscFlowKind flow = DiscFlowKind::kStill;
     OrbitSense sense = OrbitSense::kEastward;  // of its matter: thermal light and flow
-    // kKepler, r_s/c: how long a copy of the pattern is sheared before it has faded into the next.
-    double flow_life = 40.0;
+    DiscLean lean{};                           // of its plane
+    double flow_life =
+        40.0;  // kKepler, r_s/c: how long a copy of the pattern is sheared before it has faded into the next
     // Only colours, formula, columns and rows are used; with texture kImage the picture is `image`. u = 1/2 + azimuth/2 pi,
     // v = (r - inner)/(outer - inner); x, y: the point in the disc, z = 0.
     Material material{.texture = TextureKind::kImage};

@@ -17,6 +17,7 @@
 #include "plan/metric_faults.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
+#include "scene/leaning_disc.h"
 #include "scene/medium_dumps.h"
 #include "scene/orbit_sense.h"
 #include "scene/picture_size.h"
@@ -220,6 +221,9 @@ Faults check_disc(const Scene& scene, const World& world, const GivenKeys& given
     if (!(disc.inner < disc.outer))
         faults.push_back({given("disc.inner") ? "disc.inner" : "disc.outer",
                           fmt::format("inner = {} is not below outer = {}", disc.inner, disc.outer), "inner < outer"});
+    if (disc_leans(scene) && world && world->rotates())
+        faults.push_back(
+            {"disc.tilt", "a disc that leans is not drawn about a rotating hole", "0, or a metric without rotation"});
     if (disc.polarisation.field == DiscField::kVector && length(disc.polarisation.vector) == 0.0)
         faults.push_back({"disc.field_vector", "[0, 0, 0] has no direction", "three numbers, one of them not 0"});
     return faults;

@@ -23,10 +23,10 @@ bool same_rays(const Scene& a, const Scene& b) {
     if (a.light.aberration != b.light.aberration || a.light.doppler != b.light.doppler ||
         a.light.gravity != b.light.gravity)
         return false;
-    if (!moving_parts(a).empty() && (a.time != b.time || a.light.delay != b.light.delay)) return false;
+    if (changes_with_time(a) && (a.time != b.time || a.light.delay != b.light.delay)) return false;
     if (a.disc.has_value() != b.disc.has_value()) return false;
     return !a.disc || (a.disc->inner == b.disc->inner && a.disc->outer == b.disc->outer &&
-                       (a.disc->opacity < 1.0) == (b.disc->opacity < 1.0));
+                       a.disc->lean == b.disc->lean && (a.disc->opacity < 1.0) == (b.disc->opacity < 1.0));
 }
 
 }  // namespace

@@ -116,6 +116,10 @@ bool disc_section(ViewState& view) {
                          "Width of the soft edge at both rims, as a fraction of the disc's width.");
     changed |=
         drag_key_degrees("disc.rotation", "Rotation", disc.rotation, "Rotation of the disc's image about its axis.");
+    changed |= slide_key_degrees("disc.tilt", "Tilt", disc.lean.tilt, 0.0, 180.0,
+                                 "Angle between the disc's axis and the z axis.");
+    changed |= drag_key_degrees("disc.node", "Node", disc.lean.node,
+                                "Azimuth where the disc rises through the equatorial plane.");
     changed |= slide_key("disc.brightness", "Brightness", disc.brightness, kLeastBrightness, kMostBrightness, "%.2f",
                          "Multiplies the disc's light.", Scale::kLogarithmic);
     return changed;

@@ -45,6 +45,7 @@ THINGS = {
     "disc-gas": {"disc": {**DISC, "texture": "gas", "gas_contrast": 0.3}},
     "disc-gas-flow": {"disc": {**DISC, "texture": "gas", "gas_contrast": 0.3, "flow": "kepler", "opacity": 0.6}},
     "disc-clear": {"disc": {**DISC, "opacity": 0.4, "edge": 0.3}},
+    "disc-leaning": {"disc": {**DISC, "opacity": 0.7, "tilt": 35.0, "node": 60.0}},
     "spot": {"disc": {**DISC, "opacity": 0.0, "colour": [0.0, 0.0, 0.0]}, "spot": [{"r": 4.5, "size": 0.9, "brightness": 3.0, "count": 3}]},
     "ball": {"ball": [BALL]},
     "ball-lit": {"ball": [{**BALL, "night": 0.2, "sun_longitude": 30.0, "limb": 0.4}]},
