@@ -2,6 +2,9 @@
 // As planar/disc.glsl.
 #include "mino/trace.glsl"
 #include "object/disc_rim.glsl"
+#ifdef EFFECT_DISC_LEAN
+#include "mino/leaning.glsl"
+#endif
 #include "shared/frame.glsl"
 
 struct DiscWalk {
@@ -49,9 +52,16 @@ float disc_delay(Trace trace, DiscCrossing crossing) { return crossing.delay; }
 
 // k_r/E = (d zeta / d tau) g_rr / E (mino/kerr.glsl). By frequencies, not by ratios to E: light may reach a camera in the hole with an
 // energy below 0.
+#ifdef EFFECT_DISC_LEAN
+// u: 1, the angular velocity about the disc's axis, 0.
+float disc_g(Trace trace, DiscCrossing crossing, vec3 u) {
+    return trace.doppler / max((trace.energy * u.x - crossing.momentum * u.y) * leaning_u_t(crossing, u.y), 1.0e-6);
+}
+#else
 float disc_g(Trace trace, DiscCrossing crossing, vec3 u) {
     return trace.doppler / max(trace.energy * u.x - trace.momentum * u.y - crossing.climb * u.z, 1.0e-6);
 }
+#endif
 
 #ifdef SLOT_DISC_LIGHT
 // As planar/disc.glsl; the momentum across the plane is |p_theta|/r.

@@ -6,6 +6,9 @@
 #include "mino/segment.glsl"
 #include "object/disc_rim.glsl"
 #endif
+#ifdef EFFECT_DISC_LEAN
+#include "mino/leaning.glsl"
+#endif
 #ifdef EFFECT_REFINE
 #include "mino/ray_way.glsl"
 #endif
@@ -56,8 +59,10 @@ KeptCrossings kept_none() {
 // Is there crossing k among them?
 bool kept_more(KeptCrossings kept, int k) { return k < min(kept.count, SPIN_CROSSINGS); }
 
+#ifndef EFFECT_DISC_LEAN
 // Does a step pass the plane?
 bool step_crosses(SpinState from, SpinState to) { return from.y.z * to.y.z < 0.0 || (to.y.z == 0.0 && from.y.z != 0.0); }
+#endif
 
 bool within_disc(float r) { return r >= frame.disc_x.w && r <= frame.disc_y.w; }
 

@@ -62,6 +62,9 @@ struct SpinState {
 #ifdef EFFECT_SPIN_FALL
     bool ingoing;     // psi belongs to phi~
 #endif
+#ifdef EFFECT_DISC_LEAN
+    vec2 height;      // of n over the disc's plane, and its slope: where the walk of the ray needs it
+#endif
 };
 
 #ifdef NEEDS_FINE_ZETA

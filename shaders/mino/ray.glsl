@@ -4,6 +4,9 @@
 #include "core/aberration.glsl"
 #endif
 #include "core/view.glsl"
+#ifdef EFFECT_DISC_LEAN
+#include "mino/height.glsl"
+#endif
 #include "mino/kerr.glsl"
 #include "shared/frame.glsl"
 
@@ -112,5 +115,8 @@ SpinState spin_start(SpinRay ray, vec3 n) {
     at.psi = at.ingoing ? 0.0 : -frame.spin_turn.x;
 #endif
     at.drag = spin_turning_at(ray, at);
+#ifdef EFFECT_DISC_LEAN
+    at.height = leaning_end(at.y, at.v, at.psi, at.drag);
+#endif
     return at;
 }

@@ -163,7 +163,7 @@ float segment_delay(SpinRay ray, SpinSegment segment, float s, vec4 y) {
 #endif
 
 #ifdef EFFECT_DISC
-// A meeting of the ray with the equatorial plane; whether it is on the disc (hit) and the footprint are
+// A meeting of the ray with the disc's plane, the equatorial one or mino/leaning.glsl's; whether it is on the disc (hit) and the footprint are
 // mino/disc.glsl's and trace.glsl's.
 struct DiscCrossing {
     bool hit;
@@ -179,6 +179,10 @@ struct DiscCrossing {
 #endif
 #ifdef NEEDS_LIGHT_TIMES
     float delay;       // how long ago, by the camera's clock, the light left
+#endif
+#ifdef EFFECT_DISC_LEAN
+    float momentum;   // of the photon about the disc's axis
+    float north;      // cos(theta) there
 #endif
 };
 
@@ -198,9 +202,14 @@ DiscCrossing no_crossing() {
 #ifdef NEEDS_LIGHT_TIMES
     none.delay = 0.0;
 #endif
+#ifdef EFFECT_DISC_LEAN
+    none.momentum = 0.0;
+    none.north = 0.0;
+#endif
     return none;
 }
 
+#ifndef EFFECT_DISC_LEAN
 // Newton's step towards n_z = 0.
 float spin_newton(SpinArc arc, float s) {
     float slope = spin_slope_at(arc, s).z;
@@ -235,4 +244,5 @@ DiscCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h, f
 #endif
     return crossing;
 }
+#endif
 #endif

@@ -9,6 +9,11 @@
 #endif
 #include "mino/step.glsl"
 #include "shared/frame.glsl"
+#ifdef EFFECT_DISC_LEAN
+#include "mino/leaning.glsl"
+#else
+#define plane_step(ray, from, h) spin_step(ray, from, h)
+#endif
 
 struct SpinWalk {
     SpinState now;
@@ -60,7 +65,7 @@ SpinWalk walk_steps(SpinWalk walk, SpinRay ray) {
     do {
         SpinState before = walk.now;
         float h = spin_step_length(ray, before, walk.left);
-        walk.now = spin_step(ray, before, h);
+        walk.now = plane_step(ray, before, h);
         walk = walk_left_out(walk, ray, before);
         --walk.left;
         bool crosses = step_crosses(before, walk.now);

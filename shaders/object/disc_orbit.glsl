@@ -23,12 +23,18 @@ vec2 disc_rate(float zeta) {
 vec2 disc_rate(float zeta) { return vec2(frame.disc_winding.z, 0.0) - frame.disc_winding.w * zeta; }
 #endif
 
+#ifdef EFFECT_DISC_LEAN
+float disc_spin() { return path_spin() * frame.disc_normal.z; }   // spacetime/leaning_circle.h
+#else
+#define disc_spin() path_spin()
+#endif
+
 // Omega of circular orbits and its slope by zeta = 1/r. Omega = s w/(1 + s a w), w^2 = zeta^3 P, s = 1 or -1: towards growing phi or falling phi.
 vec2 disc_orbit(float zeta) {
     vec2 p = disc_rate(zeta);
     float w = sqrt(max(zeta * zeta * zeta * p.x, 0.0));
     float w_slope = 0.5 * zeta * zeta * (3.0 * p.x + p.y) / max(w, 1.0e-20);
     float sense = frame.disc_copy.y;
-    float dragged = 1.0 / (1.0 + sense * path_spin() * w);
+    float dragged = 1.0 / (1.0 + sense * disc_spin() * w);
     return vec2(w, w_slope * dragged) * (sense * dragged);
 }

@@ -19,7 +19,7 @@
 #include "scene/leaning_disc.h"
 #include "scene/orbit_sense.h"
 #include "sky/sky.h"
-#include "spacetime/circular_orbit.h"
+#include "spacetime/leaning_circle.h"
 
 namespace nullscope::cli {
 namespace {
@@ -69,10 +69,10 @@ private:
         if (!flows && !disc_precesses(scene_)) return place;
         const DiscPlane plane = disc_plane_of(scene_), then = disc_plane(scene_.disc->lean, scene_.time + time);
         const double x = dot(place, plane.x), y = dot(place, plane.y);
-        const auto orbit =
-            flows ? circular_orbit(spacetime_, std::hypot(x, y), sense_about(spacetime_, scene_.disc->sense))
-                  : std::nullopt;
-        const double turned = orbit ? orbit->omega * time : 0.0, c = std::cos(turned), s = std::sin(turned);
+        const auto rate = flows ? leaning_rate(spacetime_, std::hypot(x, y),
+                                               sense_about(spacetime_, scene_.disc->sense), scene_.disc->lean.tilt)
+                                : std::nullopt;
+        const double turned = rate.value_or(0.0) * time, c = std::cos(turned), s = std::sin(turned);
         return then.place(c * x - s * y, s * x + c * y);
     }
 

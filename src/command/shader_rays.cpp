@@ -320,8 +320,11 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
     Scene drawn = scene;
     const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
     if (!opaque) drawn.disc.reset();  // it ends no ray
-    if (!opaque && disc_leans(scene) && run.crossings > 0)
-        return bad_input("crossings of a disc that leans and is translucent", "--with reference, or disc.opacity = 1");
+    if (disc_leans(scene) && run.crossings > 0 && (!opaque || !planes))
+        return bad_input("crossings of a disc that leans and is translucent, or about a rotating hole",
+                         "--with reference, or disc.opacity = 1 in a metric without rotation");
+    if (run.tracer != "gl" && disc_leans(scene) && !planes)
+        return bad_input("--with core64 and core32 have no disc that leans about a rotating hole", "reference or gl");
     const Sense sense = scene.disc ? sense_about(spacetime, scene.disc->sense) : Sense::kEastward;
     const int crossings = plane ? std::min(run.crossings, kMostCrossings) : 0;
     const double shifts_beyond = run.shifts ? spacetime.horizon_radius().value_or(0.0) : INFINITY;

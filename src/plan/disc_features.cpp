@@ -46,6 +46,24 @@ Feature ring_rates() {
             }};
 }
 
+Feature leaning_disc() {
+    return {{Effect::kDiscLean, "disc-lean", "EFFECT_DISC_LEAN",
+             "The disc leans from the equator of a rotating hole, whose rays keep to no plane.",
+             "disc.tilt is above 0 and the hole rotates",
+             "a sine and a cosine at both ends of each step, Newton's steps by the azimuth too"},
+            [](const FrameFacts& f) {
+                const bool rotates = f.spacetime != nullptr && !f.planar;
+                return reason_if(rotates && disc_leans(f.scene),
+                                 fmt::format("disc.tilt = {:.4g}",
+                                             disc_leans(f.scene) ? 180.0 / M_PI * f.scene.disc->lean.tilt : 0.0));
+            },
+            [](Scene& s) {
+                if (s.disc) s.disc->lean.tilt = 0.0;
+            },
+            [](Scene& s) { s.spacetime.metric = "kerr", s.disc.emplace(); },
+            [](Scene& s) { s.disc->lean.tilt = 0.5; }};
+}
+
 // Whether some of its first image may lie between the rays of two pixels. Its rims are ellipses with half axes a and a |cos(theta)|, a in px
 // by the camera's distance and theta its angle to the disc's axis: the ends of the outer one are narrower than a pixel where a/(8 b^2) px are left of its length, b the minor half
 // axis; between the rims there are as many px above and below the hole as their minor half axes differ by.
@@ -202,6 +220,7 @@ std::span<const Feature> disc_features() {
          [](Scene& s) { s.disc->material.texture = TextureKind::kGas; },
          glows,
          gas_keys()},
+        leaning_disc(),
     });
     return features;
 }

@@ -80,6 +80,7 @@ enum class Effect {
     kMediumPolarisation,
     kMediumBands,
     kMediumElectrons,
+    kDiscLean,
     kEnd  // no effect: how many there are
 };
 // That there is a medium of a kind.

@@ -14,9 +14,10 @@ namespace nullscope::reference {
 
 // What a photon brings to a ring: per unit of its energy at infinity.
 struct PhotonAtDisc {
-    double r;      // r_s
-    double l_z;    // angular momentum about the disc's axis over energy, r_s
-    double climb;  // as PlaneCrossing
+    double r;           // r_s
+    double l_z;         // angular momentum about the disc's axis over energy, r_s
+    double climb;       // as PlaneCrossing
+    double cosine = 0;  // of theta, of a disc that leans about a rotating hole
 };
 
 // Polarised fraction of what leaves an atmosphere of electrons that scatter by Thomson's law, across the normal, by the cosine of the angle to it;

@@ -7,6 +7,7 @@
 #include "reference/kerr_bodies.h"
 #include "reference/kerr_chart.h"
 #include "reference/kerr_ray.h"
+#include "reference/leaning_watch.h"
 #include "reference/medium.h"
 #include "reference/metric.h"
 #include "reference/plane_metrics.h"
@@ -32,8 +33,7 @@ public:
         std::vector<PlaneCrossing> list;
         for (const PlaneCrossing& c : ray_.crossings)
             if (c.r >= inner && c.r <= outer && static_cast<int>(list.size()) < most)
-                list.push_back(c), list.back().delay = delays_ ? c.delay : 0.0, list.back().l = l_z,
-                                   list.back().bearing = c.phi;
+                list.push_back(c), list.back().delay = delays_ ? c.delay : 0.0;
         return list;
     }
     std::optional<BodyHit> first_hit() const override { return hit_; }
@@ -77,11 +77,20 @@ private:
     bool timed_;
 };
 
+// Crossings that the tracer finds by itself, in its own coordinates.
+int equatorial(const RayTask& task) { return task.leans() ? 0 : task.crossings; }
+
 // What looks along the steps of one ray: for the bodies that end it, and for the matter on its way.
 class Watches {
 public:
-    Watches(const KerrHole& hole, const RayTask& task) : bodies_(*task.bodies, task.delays_bodies), task_(task) {
+    Watches(const KerrHole& hole, const RayTask& task)
+        : bodies_(*task.bodies, task.delays_bodies), plane_(hole, task.plane, task.crossings), task_(task) {
         watch = bodies_.watch();
+        if (task.leans() && task.crossings > 0)
+            watch = [this, meets = std::move(watch)](const KerrStep& step) {
+                if (meets) meets(step);
+                plane_.see(step);
+            };
         if (task.medium == nullptr) return;
         watch = [this, hole, meets = std::move(watch)](const KerrStep& step) {
             if (meets) meets(step);
@@ -93,11 +102,13 @@ public:
     Watches& operator=(const Watches&) = delete;
     KerrWatch watch;  // while this lives; empty where there is nothing to look for
     RayPtr ray(KerrRay traced) {
+        if (task_.leans()) traced.crossings = plane_.crossings(traced);
         return std::make_unique<TracedKerrRay>(std::move(traced), bodies_.hit(), std::move(nodes_), task_.delays_disc);
     }
 
 private:
     BodyWatch bodies_;
+    LeaningWatch plane_;
     std::vector<MediumNode> nodes_;
     const RayTask& task_;
 };
@@ -115,7 +126,7 @@ private:
     KerrPhoton photon(const Photon& p) const { return {camera_.r, camera_.theta, azimuth_, p}; }
     RayPtr trace(const Photon& p) const override {
         Watches watches(hole_, task_);
-        return watches.ray(trace_kerr(hole_, photon(p), task_.crossings, falls(camera_), watches.watch));
+        return watches.ray(trace_kerr(hole_, photon(p), equatorial(task_), falls(camera_), watches.watch));
     }
     std::vector<RayPtr> trace_all(const std::vector<Photon>& all) const override {
         std::vector<KerrPhoton> photons;
@@ -125,7 +136,7 @@ private:
             photons.push_back(photon(p));
             watches.push_back(rays.emplace_back(std::make_unique<Watches>(hole_, task_))->watch);
         }
-        std::vector<KerrRay> traced = trace_kerr(hole_, photons, task_.crossings, falls(camera_), watches);
+        std::vector<KerrRay> traced = trace_kerr(hole_, photons, equatorial(task_), falls(camera_), watches);
         std::vector<RayPtr> found;
         for (std::size_t i = 0; i < traced.size(); ++i) found.push_back(rays[i]->ray(std::move(traced[i])));
         return found;
@@ -140,6 +151,7 @@ class KerrMetric final : public Metric {
 public:
     explicit KerrMetric(const KerrHole& hole) : hole_(hole) {}
     std::optional<double> horizon_radius() const override { return hole_.outer(); }
+    double a() const override { return hole_.a; }
     bool turns_westward() const override { return hole_.a < 0; }
     EquatorialMetric equator(double r) const override {
         const double a = hole_.a, mass = hole_.twice_mass(r);
@@ -174,7 +186,7 @@ public:
                 fmt::format("theta = {} must lie in [0, pi] and phi = {} be finite", query.theta, query.phi));
         Watches watches(hole_, task);
         return watches.ray(
-            trace_kerr(hole_, KerrStart{query.r, query.theta, query.phi, query.n}, task.crossings, watches.watch));
+            trace_kerr(hole_, KerrStart{query.r, query.theta, query.phi, query.n}, equatorial(task), watches.watch));
     }
 
 private:

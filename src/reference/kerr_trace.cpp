@@ -205,7 +205,8 @@ void KerrTrace::add_crossing(const State& there, double at) {
     const Vec3 motion = p + chart_.pull(here_.leg.energy, x, p).drift;
     // p^r = dr/dlambda of what is traced, with N sqrt(g_rr) = r/sqrt(g_phiphi); the photon's own has the other sign.
     const double climb = -chart_.rising(x, motion) * r / (ray_.energy * std::sqrt(chart_.g_phiphi(r)));
-    ray_.crossings.push_back({here_.along + at, r, azimuth(here_, there, at, r), climb, delay(here_, there)});
+    ray_.crossings.push_back({here_.along + at, r, azimuth(here_, there, at, r), climb, delay(here_, there), ray_.l_z});
+    ray_.crossings.back().bearing = ray_.crossings.back().phi;
 }
 
 // On to where a step has come.

@@ -33,6 +33,14 @@ constexpr std::array kMetrics{
 
 }  // namespace
 
+// Round the axis N the place n moves by Omega N x n: its share of e_phi is cos(tilt)/sin(theta), the rest is along e_theta.
+double Metric::leaning_u_t(double r, double rate, double tilt, double cosine) const {
+    const double sine2 = std::max((1 - cosine) * (1 + cosine), 1e-30), c = std::cos(tilt), east = rate * c / sine2,
+                 south2 = rate * rate * std::max(1 - c * c / sine2, 0.0);
+    const PlaceMetric g = place(r, std::sqrt(sine2), cosine);
+    return 1 / std::sqrt(-g.g_tt - east * (2 * g.g_tphi + g.g_phiphi * east) - g.g_thetatheta * south2);
+}
+
 double Metric::sense(OrbitSense of) const {
     if (of == OrbitSense::kEastward || of == OrbitSense::kWestward) return of == OrbitSense::kEastward ? 1 : -1;
     return (of == OrbitSense::kPrograde) != turns_westward() ? 1 : -1;

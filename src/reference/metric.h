@@ -40,8 +40,16 @@ public:
     // Omega of the circular geodesic at r, sense 1 towards growing phi and -1 towards falling phi:
     // g_tt' + 2 g_tphi' Omega + g_phiphi' Omega^2 = 0.
     virtual double kepler_rate(double r, double sense = 1) const;
+    virtual double a() const { return 0; }                 // of a rotating hole, r_s
     virtual bool turns_westward() const { return false; }  // does the hole rotate towards falling phi?
     double sense(OrbitSense of) const;                     // 1 or -1
+    // Omega about the axis of a disc with this tilt: s w/(1 + s a cos(tilt) w) where kepler_rate() is s w/(1 + s a w).
+    double leaning_rate(double r, double sense_of, double tilt) const {
+        const double rate = kepler_rate(r, sense_of);
+        return a() == 0 || tilt == 0 ? rate : 1 / (1 / rate - a() + a() * std::cos(tilt));
+    }
+    // And u^t of what goes round so, at cos(theta) on that disc's plane.
+    double leaning_u_t(double r, double rate, double tilt, double cosine) const;
     // A radius within the last stable circle, r_s, where the search for that begins.
     virtual double within_last_circle() const = 0;
     // And one up to which the energy of circles grows from there on, where the search ends.

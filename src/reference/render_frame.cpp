@@ -52,7 +52,7 @@ Paint gas_paint(const Metric& matter, const Scene& scene, const DiscHit& hit) {
     const double r = std::hypot(hit.x, hit.y), whole = within_rims(disc, r), opacity = disc.opacity * whole;
     const double sense = matter.sense(disc.sense);
     const auto rate = [&](double at) {
-        return disc.flow == DiscFlowKind::kKepler ? matter.kepler_rate(at, sense) : 0.0;
+        return disc.flow == DiscFlowKind::kKepler ? matter.leaning_rate(at, sense, disc.lean.tilt) : 0.0;
     };
     const GasFactors gas = gas_at(disc, r, std::atan2(hit.y, hit.x), scene.time - hit.delay, whole, rate, sense);
     const double thin = 1 - opacity * gas.light, thick = (1 - opacity) * gas.gaps,
@@ -129,12 +129,13 @@ Vec3 solid_colour(const Looks& looks, const TracedRay& ray, const BodyHit& hit) 
 Paint pattern_at(const Looks& looks, const DiscHit& hit) {
     const DiscSpec& disc = *looks.scene.disc;
     if (disc.material.texture == TextureKind::kGas) return gas_paint(looks.tracer.matter(), looks.scene, hit);
-    Paint paint = disc.flow == DiscFlowKind::kStill
-                      ? disc_pattern(disc, looks.pictures.disc, hit.x, hit.y)
-                      : flowing_pattern(disc, looks.pictures.disc,
-                                        looks.tracer.matter().kepler_rate(std::hypot(hit.x, hit.y),
-                                                                          looks.tracer.matter().sense(disc.sense)),
-                                        looks.scene.time - hit.delay, hit.x, hit.y);
+    Paint paint =
+        disc.flow == DiscFlowKind::kStill
+            ? disc_pattern(disc, looks.pictures.disc, hit.x, hit.y)
+            : flowing_pattern(disc, looks.pictures.disc,
+                              looks.tracer.matter().leaning_rate(
+                                  std::hypot(hit.x, hit.y), looks.tracer.matter().sense(disc.sense), disc.lean.tilt),
+                              looks.scene.time - hit.delay, hit.x, hit.y);
     paint.colour = paint.alpha * paint.colour;
     return paint;
 }
@@ -142,8 +143,8 @@ Paint pattern_at(const Looks& looks, const DiscHit& hit) {
 // A spot is a Gaussian about its middle, which moves on a circle: its frequency there is p . u, u = u^t (1, 0, 0, Omega).
 Vec3 spot_colour(const Metric& matter, const Scene& scene, const SpotSpec& spot, const TracedRay& ray,
                  const DiscHit& hit) {
-    const double rate = matter.kepler_rate(spot.r, matter.sense(spot.sense)), t = scene.time - hit.delay,
-                 rest = matter.rest_lapse(spot.r);
+    const double tilt = scene.disc->lean.tilt, rate = matter.leaning_rate(spot.r, matter.sense(spot.sense), tilt),
+                 t = scene.time - hit.delay, rest = matter.rest_lapse(spot.r);
     double least = INFINITY;
     for (int i = 0; i < spot.count; ++i) {
         const double at = spot.phase + rate * t + 2 * M_PI * i / spot.count;
@@ -151,7 +152,9 @@ Vec3 spot_colour(const Metric& matter, const Scene& scene, const SpotSpec& spot,
     }
     const double l = scene.light.lensing ? hit.l : hit.l / rest;
     const EquatorialMetric g = matter.equator(spot.r);
-    const double u_t = 1 / std::sqrt(-g.g_tt - rate * (2 * g.g_tphi + rate * g.g_phiphi)),
+    const bool leans = tilt != 0 && matter.a() != 0;
+    const double u_t = leans ? matter.leaning_u_t(spot.r, rate, tilt, hit.cosine)
+                             : 1 / std::sqrt(-g.g_tt - rate * (2 * g.g_tphi + rate * g.g_phiphi)),
                  all = 1 / (u_t * (1 - rate * l));
     const Shift shift{ray.shift.gravity * rest, ray.shift.doppler * all / rest};
     const Vec3 light = seen_black_body(spot.temperature_K, shift.seen(scene.light), scene.light);
@@ -195,7 +198,7 @@ Vec3 ray_colour(const Looks& looks, const TracedRay& ray) {
         matter.pass(hit.along, colour, through);
         Paint paint = pattern_at(looks, hit);
         if (looks.heat != nullptr) {
-            const PhotonAtDisc photon{std::hypot(hit.x, hit.y), hit.l, hit.climb};
+            const PhotonAtDisc photon{std::hypot(hit.x, hit.y), hit.l, hit.climb, hit.cosine};
             const Vec3 light = looks.heat->colour(photon, ray.g * looks.heat->shift(photon).seen(scene.light));
             paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
         }

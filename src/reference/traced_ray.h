@@ -33,6 +33,7 @@ struct PlaneCrossing {
     double delay = 0;    // how long ago, by the camera's clock, the light left, r_s/c; 0 where nobody asks (RayTask)
     double l = 0;        // the photon's angular momentum about the plane's axis over its energy, r_s
     double bearing = 0;  // azimuth in the plane, from its x towards its y; of the equatorial one phi
+    double cosine = 0;   // of theta, of a plane that leans about a rotating hole
 };
 
 // Where a ray enters a solid body.

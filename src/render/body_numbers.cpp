@@ -12,6 +12,7 @@
 #include "scene/orbit_sense.h"
 #include "shaderlib/body_text.h"
 #include "spacetime/circular_orbit.h"
+#include "spacetime/leaning_circle.h"
 #include "table/disc_light.h"
 #include "table/disc_rate.h"
 
@@ -83,13 +84,17 @@ constexpr double kCopies = 4096.0;  // DISC_COPIES of shaders/object/disc_flow.g
 // shaders/object/spot.glsl
 std::array<FrameVector, 3> spot_numbers(const SpotSpec& spot, const FramePlan& plan) {
     const LightSpec& light = plan.scene.light;
-    const auto orbit = circular_orbit(*plan.matter, spot.r, sense_about(*plan.matter, spot.sense));
-    const double omega = orbit ? orbit->omega : 0.0, lapse = std::sqrt(plan.matter->lapse_squared(spot.r));
+    const Sense sense = sense_about(*plan.matter, spot.sense);
+    const auto orbit = circular_orbit(*plan.matter, spot.r, sense);
+    const double tilt = plan.scene.disc ? plan.scene.disc->lean.tilt : 0.0;
+    const double omega = leaning_rate(*plan.matter, spot.r, sense, tilt).value_or(0.0),
+                 lapse = std::sqrt(plan.matter->lapse_squared(spot.r));
     // As disc_flow_row: g's two parts, and rays of flat space.
     double u_t = orbit ? orbit->u_t : 1.0 / lapse, u_phi = u_t * omega;
     if (!light.doppler) u_t = 1.0 / lapse, u_phi = 0.0;
     if (!light.gravity) u_t *= lapse, u_phi *= lapse;
     if (!light.lensing) u_phi /= lapse;
+    if (plan.effects.contains(Effect::kDiscLean)) u_t = 1.0, u_phi = omega;
     const auto lapses = disc_lapses(*plan.matter, spot.r, {light.doppler, light.gravity, !light.lensing});
     return {{{spot.r, std::remainder(spot.phase + omega * late_time(plan), 2.0 * M_PI), omega, 2.0 * M_PI / spot.count},
              {spot.size * spot.size, spot.brightness, std::log2(spot.temperature_K),

@@ -125,11 +125,14 @@ void FrameInputs::load_heat(const FrameTables& tables) {
         hottest_ = {accretion, scene.spacetime, sense,
                     disc_temperature_K(disc_flux_peak(tables.matter(), sense).flux, accretion->mass_suns,
                                        accretion->rate_eddington)};
-    const auto key = std::make_tuple(scene.spacetime, sense, scene.disc->inner, scene.disc->outer, scene.light.doppler,
-                                     scene.light.gravity, scene.light.lensing);
+    const auto leaning =
+        tables.effects().contains(Effect::kDiscLean) ? std::optional(scene.disc->lean.tilt) : std::nullopt;
+    const auto key = std::make_tuple(scene.spacetime, sense, leaning, scene.disc->inner, scene.disc->outer,
+                                     scene.light.doppler, scene.light.gravity, scene.light.lensing);
     if (flow_key_ == key) return;
-    disc_flow_ = texture_of(disc_flow_row(tables.matter(), scene.disc->inner, scene.disc->outer,
-                                          {scene.light.doppler, scene.light.gravity, !scene.light.lensing}, sense));
+    disc_flow_ =
+        texture_of(disc_flow_row(tables.matter(), scene.disc->inner, scene.disc->outer,
+                                 {scene.light.doppler, scene.light.gravity, !scene.light.lensing}, sense, leaning));
     flow_key_ = key;
 }
 

@@ -93,7 +93,7 @@ private:
     std::optional<SkyAsked> sky_asked_;
     SkyFaces sky_faces_;  // of it
     bool keep_finer_sky_ = false;
-    std::optional<std::tuple<SpacetimeSpec, Sense, double, double, bool, bool, bool>>
+    std::optional<std::tuple<SpacetimeSpec, Sense, std::optional<double>, double, double, bool, bool, bool>>
         flow_key_;    // of disc_flow_: its sense and radii, parts of g
     struct Hottest {  // ring of the disc, where accretion heats it
         std::optional<AccretionSpec> by;

@@ -17,12 +17,12 @@
 #include "plan/metric_faults.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
-#include "scene/leaning_disc.h"
 #include "scene/medium_dumps.h"
 #include "scene/orbit_sense.h"
 #include "scene/picture_size.h"
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
+#include "scenefile/leaning_check.h"
 #include "scenefile/projection_words.h"
 #include "scenefile/scene_value.h"
 #include "scenefile/sections.h"
@@ -221,9 +221,6 @@ Faults check_disc(const Scene& scene, const World& world, const GivenKeys& given
     if (!(disc.inner < disc.outer))
         faults.push_back({given("disc.inner") ? "disc.inner" : "disc.outer",
                           fmt::format("inner = {} is not below outer = {}", disc.inner, disc.outer), "inner < outer"});
-    if (disc_leans(scene) && world && world->rotates())
-        faults.push_back(
-            {"disc.tilt", "a disc that leans is not drawn about a rotating hole", "0, or a metric without rotation"});
     if (disc.polarisation.field == DiscField::kVector && length(disc.polarisation.vector) == 0.0)
         faults.push_back({"disc.field_vector", "[0, 0, 0] has no direction", "three numbers, one of them not 0"});
     return faults;
@@ -384,8 +381,10 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     append(faults, of_right_half(check_disc_orbits(scene, other)));
     append(faults, check_patterns(scene));
     append(faults, check_bodies(scene, world ? world->horizon_radius().value_or(0.0) : 0.0));
-    if (world) append(faults, metric_faults(*world, scene));
-    if (other) append(faults, of_right_half(metric_faults(*other, scene)));
+    if (world) append(faults, metric_faults(*world, scene)), append(faults, leaning_faults(*world, scene));
+    if (other)
+        append(faults, of_right_half(metric_faults(*other, scene))),
+            append(faults, of_right_half(leaning_faults(*other, scene)));
     append(faults, check_other_keys(scene, given));
     append(faults, check_spots(scene));
     if (!faults.empty()) return faults;

@@ -173,7 +173,7 @@ std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Ou
     if (stage == Stage::kRayDepth && has_medium(effects)) defines.emplace_back("MEDIUM_MEAN");
     if (list && effects.contains(Effect::kDisc)) defines.emplace_back("NEEDS_ZETA_SLOPE");
     if (no_bodies) std::erase(defines, "NEEDS_PLACE");
-    if (sky_alone) std::erase(defines, "EFFECT_DISC");
+    if (sky_alone) std::erase(defines, "EFFECT_DISC"), std::erase(defines, "EFFECT_DISC_LEAN");
     if (stage == Stage::kSkyTiles) defines.emplace_back("TILES_OF_SKY");
     if (stage == Stage::kDiscTiles) defines.emplace_back("TILES_OF_THE_REST");
     if (stage == Stage::kFullDisc) defines.emplace_back("TILES_OF_FULL_DISC");

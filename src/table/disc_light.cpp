@@ -7,6 +7,7 @@
 #include "light/black_body.h"
 #include "numeric/gauss.h"
 #include "spacetime/circular_orbit.h"
+#include "spacetime/leaning_circle.h"
 
 namespace nullscope {
 namespace {
@@ -110,7 +111,8 @@ std::array<double, 2> disc_lapses(const Spacetime& spacetime, double r, ShiftPar
     return {lapse, parts.straight ? 1.0 : lapse};
 }
 
-TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts, Sense sense) {
+TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts, Sense sense,
+                        std::optional<double> leaning) {
     const double horizon = spacetime.horizon_radius().value_or(0.0);
     const double from = std::max(inner, (1.0 + 1e-6) * horizon);
     std::vector<double> radii;
@@ -123,7 +125,8 @@ TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, 
     std::vector<float> factors;
     for (std::size_t i = 0; i < radii.size(); ++i) {
         const double lapse = std::sqrt(spacetime.lapse_squared(radii[i])), scale = parts.gravity ? 1.0 : lapse;
-        const Vec3 u = disc_velocity(spacetime, matter, radii[i], parts);
+        const Vec3 u = leaning ? Vec3{1.0, leaning_rate(spacetime, radii[i], sense, *leaning).value_or(0.0), 0.0}
+                               : disc_velocity(spacetime, matter, radii[i], parts);
         const double heat = flux[i] > 0.0 ? std::max(0.25 * std::log2(flux[i] / peak), kDark) : kDark;
         for (const double value : {heat, u.x, u.y, u.z}) row.texels.push_back(static_cast<float>(value));
         const double factor = scale / (parts.straight ? lapse : 1.0);

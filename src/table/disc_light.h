@@ -6,6 +6,7 @@
 //     F(r) = -Omega' / (4 pi r (E - Omega L)^2)  integral from r_isco to r of (E - Omega L) L' dr.
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "spacetime/circular_orbit.h"
@@ -39,8 +40,10 @@ inline constexpr int kDiscFlowCells = 1024, kDiscFlowRows = 2;
 struct ShiftParts {
     bool doppler = true, gravity = true, straight = false;
 };
+// leaning: of a disc about a rotating hole with this tilt; the velocity is then 1, leaning_rate(), 0 (spacetime/leaning_circle.h), the heat that of
+// the disc of this sense that does not lean.
 TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts = {},
-                        Sense sense = Sense::kEastward);
+                        Sense sense = Sense::kEastward, std::optional<double> leaning = {});
 
 // For shaders/core/polarisation.glsl: sqrt(Delta)/r at the matter, without rotation sqrt(A), and of the light that it emits: 1 where that runs straight.
 std::array<double, 2> disc_lapses(const Spacetime& spacetime, double r, ShiftParts parts);

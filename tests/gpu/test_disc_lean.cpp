@@ -61,7 +61,8 @@ TEST_CASE("disc lean: the picture is what a turned camera sees, rings, tiles and
             other.scene.camera = turned(one.scene.camera, disc_plane_of(one.scene)), other.scene.disc->lean = {};
             Draft wrong = one;
             wrong.scene.disc->lean.node += 1 * kOneDegree;
-            const Image<float> a = picture_of(session, one), b = picture_of(session, other), c = picture_of(session, wrong);
+            const Image<float> a = picture_of(session, one), b = picture_of(session, other),
+                               c = picture_of(session, wrong);
             const auto off = [&](const Image<float>& x) {
                 double sum = 0, whole = 0;
                 for (std::size_t i = 0; i < a.data.size(); ++i)

@@ -42,31 +42,33 @@ TEST_CASE("disc lean: axes are the world's, turned about the line of nodes") {
 // The camera of the world in which the disc is the equator's.
 CameraSpec turned(CameraSpec camera, const DiscPlane& plane) {
     const Mat3 disc_from_world = transposed({plane.x, plane.y, plane.normal}), axes = world_from_camera(camera);
-    const Vec3 place = disc_from_world * world_from_static(camera.theta, camera.phi).a;
+    const Mat3 frame = disc_from_world * world_from_static(camera.theta, camera.phi);
+    const Vec3 place = frame.a, velocity = frame * camera.velocity;
     camera.theta = std::atan2(std::hypot(place.x, place.y), place.z), camera.phi = std::atan2(place.y, place.x);
+    camera.velocity = transposed(world_from_static(camera.theta, camera.phi)) * velocity;
     set_world_axes(camera, disc_from_world * axes);
     return camera;
 }
 
-struct Seen {
+struct SeenDisc {
     std::vector<reference::DiscHit> hits;
     double g = 0;
 };
 
-Seen seen(const reference::FrameTracer& tracer, double x, double y) {
+SeenDisc seen(const reference::FrameTracer& tracer, double x, double y) {
     const auto ray = tracer.ray(x, y);
     return {tracer.disc_hits(*ray, 4), ray->g};
 }
 
 // How far the hits of two rays are apart, of their radius; none: they meet other crossings.
-std::optional<double> apart(const Seen& a, const Seen& b) {
+std::optional<double> apart(const SeenDisc& a, const SeenDisc& b) {
     if (a.hits.size() != b.hits.size()) return {};
     double most = 0;
     for (std::size_t k = 0; k < a.hits.size(); ++k) {
         const auto &p = a.hits[k], &q = b.hits[k];
         const double r = std::hypot(p.x, p.y);
-        most = std::max({most, std::hypot(p.x - q.x, p.y - q.y) / r, std::fabs(p.l - q.l) / r, std::fabs(p.climb - q.climb),
-                         std::fabs(p.delay - q.delay) / r});
+        most = std::max({most, std::hypot(p.x - q.x, p.y - q.y) / r, std::fabs(p.l - q.l) / r,
+                         std::fabs(p.climb - q.climb), std::fabs(p.delay - q.delay) / r});
     }
     return most;
 }
@@ -108,7 +110,7 @@ TEST_CASE("disc lean: where rays stay in planes it is what a turned camera sees,
             double wrong_most = 0;
             for (int i = 0; i < 25; ++i) {
                 const double x = 24 * unit(dice), y = 16 * unit(dice);
-                const Seen one = seen(*a, x, y), two = seen(*b, x, y), beside = seen(*a, x + kMoved_px, y);
+                const SeenDisc one = seen(*a, x, y), two = seen(*b, x, y), beside = seen(*a, x + kMoved_px, y);
                 const auto off = apart(one, two), moves = apart(one, beside);
                 if (!moves) continue;  // at a rim
                 ++rays, crossings += static_cast<int>(one.hits.size());
@@ -119,8 +121,9 @@ TEST_CASE("disc lean: where rays stay in planes it is what a turned camera sees,
             }
             least_wrong = std::min(least_wrong, wrong_most);
         }
-        fmt::print("disc lean: {}, {} rays with {} crossings are the turned camera's to {:.1e}; off by 1e-7 of tilt {:.1e}\n",
-                   metric, rays, crossings, most, least_wrong);
+        fmt::print(
+            "disc lean: {}, {} rays with {} crossings are the turned camera's to {:.1e}; off by 1e-7 of tilt {:.1e}\n",
+            metric, rays, crossings, most, least_wrong);
         CHECK(rays > 250);
         CHECK(crossings > 100);
         CHECK(most < kRounding);

@@ -1,0 +1,244 @@
+// Discs that lean about rotating holes, as the driver draws them: against the reference for random tilts, cameras and spins, ring by ring, and
+// with their light.
+#include <cmath>
+#include <random>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "observer/pose.h"
+#include "reference/frame_tracer.h"
+#include "scene/leaning_disc.h"
+#include "sky/sky.h"
+#include "support/draft.h"
+#include "support/gpu_session.h"
+
+namespace {
+
+using namespace nullscope;
+using namespace nullscope::test;
+
+constexpr double kLeanPlace_px = 0.02;  // of 1920 px of width
+
+// part: how many of a picture's 1920 columns eight columns of this one are.
+Scene lean_scene(std::mt19937& random, double part) {
+    const auto among = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    Draft draft;
+    draft.metric("kerr-newman", {{"spin", among(-0.99, 0.99)}, {"charge", 0.0}}).by(ObserverKind::kZamo);
+    draft.place(std::exp(among(1.6, 3.6)), std::acos(among(-0.99, 0.99))).size(8, 6);
+    const double whole = among(0.4, 1.6);
+    draft.plane(whole * part / 1920);
+    draft.disc(among(1.2, 4), among(6, 25)).sky(SkyKind::kGrid);
+    CameraSpec& camera = draft.scene.camera;
+    camera.phi = among(-3, 3), camera.roll = among(-3, 3), camera.yaw = whole * among(-0.3, 0.3),
+    camera.pitch = whole * among(-0.2, 0.2);
+    draft.scene.disc->lean = {std::acos(among(-1, 1)), among(-3, 3), among(-0.1, 0.1)};
+    draft.scene.time = among(-20, 20);
+    return draft;
+}
+
+// Right above the disc its places are closer together from pixel to pixel than floats, 1e-6 r_s: not there.
+void put_off_disc(Scene& scene) {
+    constexpr double kAbove = 0.1;
+    CameraSpec& camera = scene.camera;
+    const double height = dot(disc_plane_of(scene).normal, world_from_static(camera.theta, camera.phi).a);
+    if (std::fabs(height) < kAbove) camera.r = std::max(camera.r, 1.3 * scene.disc->outer);
+}
+
+TEST_CASE("kerr lean: places of random tilts and cameras are the reference's" * costly()) {
+    on_one_context([](GpuSession& session) {
+        const int views = by_depth(60, 300, 300);
+        std::mt19937 random(55);
+        double most_px = 0, median = 0;
+        long long places = 0, fates = 0, forgiven = 0, wrong_hits = 0, rays = 0;
+        for (int view = 0; view < views; ++view) {
+            Scene scene = lean_scene(random, 8);
+            put_off_disc(scene);
+            CAPTURE(view);
+            const RayFrame drawn = gl_ray_data(session, scene);
+            const ExactTrace trace = remembered(reference_trace(scene));
+            const RayMeasures m = measure_rays(drawn, scene.camera, trace);
+            const RayFrame exact = exact_frame(scene.camera, trace);
+            for (std::size_t i = 0; i < exact.pixels.size(); ++i)
+                wrong_hits += exact.pixels[i].hit != drawn.pixels[i].hit;
+            if (m.place_px.count > 0)
+                most_px = std::max(most_px, m.place_px.max), median = std::max(median, m.place_px.median);
+            CHECK(m.place_px.max < kLeanPlace_px);
+            places += m.place_px.count, fates += m.fate_errors, forgiven += m.forgiven,
+                rays += static_cast<long long>(exact.pixels.size());
+            CHECK(m.not_finite == 0);
+        }
+        fmt::print(
+            "kerr lean: {} views, {} rays, {} places: {:.1e} px at most, medians {:.1e}; fate errors {}, others at "
+            "edges {} of {} forgiven\n",
+            views, rays, places, most_px, median, fates, wrong_hits, forgiven);
+        CHECK(fates == 0);
+        CHECK(wrong_hits <= forgiven);
+        CHECK(places > 10 * views);
+    });
+}
+
+// The first crossing from number passed on, counted from 0, that is within the disc; 0 0 0: none.
+Vec3 met_by_reference(const reference::FrameTracer& tracer, const Scene& scene, double x, double y, int passed) {
+    const auto ray = tracer.ray(x, y);
+    const DiscPlane plane = disc_plane_of(scene);
+    int number = 0;
+    for (const auto& c : ray->crossings(16))
+        if (number++ >= passed && c.r >= scene.disc->inner && c.r <= scene.disc->outer)
+            return plane.place(c.r * std::cos(c.bearing), c.r * std::sin(c.bearing));
+    return {};
+}
+
+// Light's n-th image is what is seen where its first n crossings do not count. Pixels may differ only where a rim is near.
+// Some of these rays cross the plane twice within a step: the camera is a little above it.
+TEST_CASE("kerr lean: rays along the plane that are dragged through it and back") {
+    constexpr double kAlong_px = 1e-3, kAtOnce = 0.5;  // rad of the disc between two crossings
+    on_one_context([=](GpuSession& session) {
+        std::mt19937 random(90);
+        double most_px = 0;
+        int twice = 0;
+        const int views = by_depth(3, 20, 20);
+        for (int view = 0; view < views; ++view) {
+            const auto among = [&](double low, double high) {
+                return std::uniform_real_distribution(low, high)(random);
+            };
+            Draft draft;
+            draft.metric("kerr", {{"spin", among(0.8, 0.95)}})
+                .by(ObserverKind::kZamo)
+                .place(15.6, 3.039)
+                .plane(0.3)
+                .size(24, 18);
+            draft.disc(1.77, 12).yaw(0.12);
+            draft.scene.camera.phi = 1.054 + among(-0.05, 0.05);
+            draft.scene.disc->lean = {1.642 + among(-0.01, 0.01), -0.641};
+            const Scene scene = draft;
+            CAPTURE(view);
+            const RayMeasures m =
+                measure_rays(gl_ray_data(session, scene), scene.camera, remembered(reference_trace(scene)));
+            most_px = std::max(most_px, m.place_px.max);
+            CHECK(m.fate_errors == 0);
+            const auto tracer = reference::FrameTracer::make(scene);
+            REQUIRE(tracer);
+            for (int y = 0; y < 18; ++y)
+                for (int x = 0; x < 24; ++x) {
+                    const auto hits = tracer->disc_hits(*tracer->ray(x + 0.5, y + 0.5), 2);
+                    if (hits.size() < 2) continue;
+                    const auto &a = hits[0], &b = hits[1];
+                    twice += std::fabs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) < kAtOnce;
+                }
+        }
+        fmt::print(
+            "kerr lean: {} views along the plane: {:.1e} px at most, {} rays cross it twice within half a radian\n",
+            views, most_px, twice);
+        CHECK(most_px < kAlong_px);
+        CHECK(twice > views);
+    });
+}
+
+// How far the camera has to turn left for the shadow's edge, rad.
+double yaw_of_edge(Scene scene) {
+    double in = 0, out = -0.5;
+    for (int i = 0; i < 40; ++i) {
+        scene.camera.yaw = 0.5 * (in + out);
+        const auto tracer = reference::FrameTracer::make(scene);
+        REQUIRE(tracer);
+        const auto ray = tracer->ray(0.5 * scene.camera.width, 0.5 * scene.camera.height);
+        (ray->fate() == Fate::kCaptured ? in : out) = scene.camera.yaw;
+    }
+    return 0.5 * (in + out);
+}
+
+TEST_CASE("kerr lean: images n = 1 and 2 have the reference's places, with no gaps" * costly()) {
+    constexpr double kBeside_px = 0.05, kRing_px = 0.05;
+    on_one_context([=](GpuSession& session) {
+        Selection selection(3);
+        for (const double tilt_deg : {25.0, 65.0, 115.0}) {
+            if (!selection.takes_next()) continue;
+            for (const int passed : {1, 2}) {
+                Draft draft;
+                draft.metric("kerr", {{"spin", 0.9}}).by(ObserverKind::kZamo).place(12, 1.2).size(32, 32);
+                // The ring's left side: n = 2 is exp(-pi) of n = 1.
+                draft.plane(passed == 1 ? 0.55 : 0.005).disc(2, 12);
+                if (passed == 2) draft.yaw(yaw_of_edge(draft));
+                draft.scene.disc->lean = {tilt_deg * M_PI / 180, 0.6};
+                const Scene scene = draft;
+                session.renderer->pass_crossings(passed);
+                const RayFrame drawn = gl_ray_data(session, scene);
+                session.renderer->pass_crossings(0);
+                const auto tracer = reference::FrameTracer::make(scene);
+                REQUIRE(tracer);
+                int met = 0, missed = 0, at_rims = 0;
+                double most = 0;
+                for (int y = 0; y < drawn.height; ++y)
+                    for (int x = 0; x < drawn.width; ++x) {
+                        const RayPixel& pixel = drawn.at(x, y);
+                        const auto there = [&](double dx, double dy) {
+                            return met_by_reference(*tracer, scene, x + 0.5 + dx, y + 0.5 + dy, passed);
+                        };
+                        const Vec3 exact = there(0, 0);
+                        const bool on = !(exact == Vec3{});
+                        if (!on && pixel.hit != kDiscHit) continue;
+                        const Vec3 right = there(kBeside_px, 0), left = there(-kBeside_px, 0),
+                                   up = there(0, kBeside_px), down = there(0, -kBeside_px);
+                        int beside = 0;
+                        for (const Vec3& v : {right, left, up, down}) beside += !(v == Vec3{});
+                        if (beside != (on ? 4 : 0)) {
+                            ++at_rims;
+                            continue;
+                        }
+                        missed += on != (pixel.hit == kDiscHit);
+                        if (!on || pixel.hit != kDiscHit) continue;
+                        ++met;
+                        const double moves = std::max({length(right - exact), length(left - exact), length(up - exact),
+                                                       length(down - exact)}) /
+                                             kBeside_px;
+                        most = std::max(most, length(Vec3{pixel.u, pixel.v, pixel.w} - exact) / moves);
+                    }
+                fmt::print(
+                    "kerr lean: tilt {}, image {}: {} pixels within {:.1e} px, {} missed or too many, {} at rims\n",
+                    tilt_deg, passed, met, most, missed, at_rims);
+                CHECK(met > 40);
+                CHECK(missed == 0);
+                CHECK(most < kRing_px);
+            }
+        }
+    });
+}
+
+// Heat, shift by matter about an axis that leans, spots and flow, seen late.
+TEST_CASE("kerr lean: pictures have the reference's light" * costly()) {
+    on_one_context([](GpuSession& session) {
+        for (const bool spots : {false, true}) {
+            Draft draft;
+            draft.metric("kerr", {{"spin", 0.8}}).by(ObserverKind::kZamo).place(15, 1.1).plane(1.1).size(18, 12);
+            draft.disc(3, 11).sky(SkyKind::kBlack).at_time(12);
+            DiscSpec& disc = *draft.scene.disc;
+            disc.lean = {0.9, 0.5}, disc.emission = DiscEmission::kThermal;
+            if (spots) draft.scene.spots.push_back({.r = 5, .phase = 1, .size = 0.8, .brightness = 2, .count = 3});
+            const Scene scene = draft;
+            const auto sky = build_sky(scene.sky, {}, 16);
+            REQUIRE(sky);
+            const auto light_of = [&](const Scene& of) {
+                auto exact = reference::render_frame(of, *sky, nullptr, 4, {});
+                REQUIRE(exact);
+                return std::move(*exact);
+            };
+            const Image<float> drawn = picture_of(session, scene), exact = light_of(scene);
+            Scene other = scene;
+            other.spacetime.parameters["spin"] = -0.8;
+            const Image<float> wrong = light_of(other);
+            const auto off = [&](const Image<float>& a) {
+                double sum = 0, whole = 0;
+                for (std::size_t i = 0; i < a.data.size(); ++i)
+                    sum += std::fabs(a.data[i] - drawn.data[i]), whole += drawn.data[i];
+                return sum / whole;
+            };
+            fmt::print("kerr lean: {} differ by {:.4f} of the light, those of the other spin by {:.3f}\n",
+                       spots ? "spots" : "heat", off(exact), off(wrong));
+            CHECK(off(exact) < 0.03);  // of rims, which the reference's 4 by 4 rays have in sixteenths
+            CHECK(off(wrong) > 0.05);
+        }
+    });
+}
+
+}  // namespace
