@@ -25,7 +25,7 @@ float leaning_dip(vec2 from, vec2 to) {
 }
 
 // A step, or its part to where it is beyond the plane: once more in a loop, as software drivers run both sides of a branch.
-SpinState plane_step(SpinRay ray, SpinState from, inout float h) {
+SpinState next_step(SpinRay ray, SpinState from, inout float h) {
     SpinState to;
     float part = 1.0;
     bool again;

@@ -12,7 +12,7 @@
 #ifdef EFFECT_DISC_LEAN
 #include "mino/leaning.glsl"
 #else
-#define plane_step(ray, from, h) spin_step(ray, from, h)
+#define next_step(ray, from, h) spin_step(ray, from, h)
 #endif
 
 struct SpinWalk {
@@ -65,7 +65,7 @@ SpinWalk walk_steps(SpinWalk walk, SpinRay ray) {
     do {
         SpinState before = walk.now;
         float h = spin_step_length(ray, before, walk.left);
-        walk.now = plane_step(ray, before, h);
+        walk.now = next_step(ray, before, h);
         walk = walk_left_out(walk, ray, before);
         --walk.left;
         bool crosses = step_crosses(before, walk.now);

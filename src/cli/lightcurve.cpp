@@ -197,7 +197,7 @@ Result<int> run_lightcurve(const LightcurveOptions& options) {
     if (!changes_with_time(*scene))
         return bad_input(
             fmt::format("{}: nothing in it changes with time", options.scene),
-            "a scene with disc.flow, [spot], sphere.amplitude, ball.motion, t in surface.shape or in formulas "
+            "a scene with disc.flow, disc.precession, [spot], sphere.amplitude, ball.motion, t in surface.shape or in formulas "
             "of [medium], medium.flow, or dumps as medium.file");
     TRY(samples, check_samples_of_reference(options.renderer, options.samples.has_value()));
     TRY(context, check_context(options.renderer, options.context));

@@ -11,6 +11,7 @@
 #include "command/svg.h"
 #include "observer/observer.h"
 #include "reference/photon_ring.h"
+#include "scene/leaning_disc.h"
 #include "spacetime/photon_shell.h"
 #include "spacetime/registry.h"
 #include "spacetime/spherical_metric.h"
@@ -215,6 +216,7 @@ std::string photon_ring_svg(const std::string& head, const std::vector<Ring>& ri
 }  // namespace
 
 Result<RingFigure> photon_ring_figure(const Scene& scene, int rings, std::vector<int> angles) {
+    if (disc_leans(scene)) return bad_input("rings are drawn of a disc in the equatorial plane", "disc.tilt = 0");
     TRY(ring, PhotonRing::make(scene));
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     if (angles.empty())

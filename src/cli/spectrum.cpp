@@ -15,6 +15,8 @@
 #include "cli/spectrum_plot.h"
 #include "cli/table_file.h"
 #include "command/options.h"
+#include "observer/pose.h"
+#include "scene/leaning_disc.h"
 #include "scene/orbit_sense.h"
 #include "scenefile/scene_file.h"
 #include "spacetime/circular_orbit.h"
@@ -101,6 +103,12 @@ Status set_rims(Source& source, const SpectrumOptions& options, const std::optio
     return Done{};
 }
 
+// Of the camera, from the disc's axis, rad.
+double from_axis(const Scene& scene) {
+    if (!disc_leans(scene)) return scene.camera.theta;
+    return angle_between(world_from_static(scene.camera.theta, scene.camera.phi).a, disc_plane_of(scene).normal);
+}
+
 Result<Source> source_of(const SpectrumOptions& options) {
     Scene scene;
     if (!options.scene.empty()) {
@@ -111,8 +119,10 @@ Result<Source> source_of(const SpectrumOptions& options) {
         scene.spacetime = {"kerr", MetricParameters{{"spin", *options.spin}}};
     }
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+    if (disc_leans(scene) && (*spacetime)->rotates())
+        return bad_input("lines are of discs in the equatorial plane of a rotating hole", "disc.tilt = 0");
     Source source{name_of(scene), *spacetime};
-    const double theta_deg = options.scene.empty() ? kInclination_deg : scene.camera.theta / kOneDegree,
+    const double theta_deg = options.scene.empty() ? kInclination_deg : from_axis(scene) / kOneDegree,
                  from_axis_deg = options.inclination_deg.value_or(theta_deg);
     source.inclination_deg = from_axis_deg;
     source.inclination = std::min(from_axis_deg, 180.0 - from_axis_deg) * kOneDegree;  // from below it is the same

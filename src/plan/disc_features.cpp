@@ -29,6 +29,21 @@ std::vector<SceneKey> gas_keys() {
              [](auto& s) { return &s.disc->gas.winding; }, is_gas, kGas}};
 }
 
+// Of its plane.
+std::vector<SceneKey> plane_keys() {
+    return {
+        {"disc", "tilt", KeyType::kNumber, "deg", "0", closed(0.0, 180.0), "", "Angle between its axis and the z axis.",
+         [](auto& s) { return &s.disc->lean.tilt; }},
+        {"disc", "node", KeyType::kNumber, "deg", "0", kAnyAngle, "",
+         "Azimuth of its ascending node at time 0: there what goes eastward round its axis comes up through the "
+         "equatorial "
+         "plane.",
+         [](auto& s) { return &s.disc->lean.node; }},
+        {"disc", "precession", KeyType::kNumber, "deg", "0", kAnyAngle, "",
+         "By how much its node moves in a time of r_s/c, all of it together; the time that light takes is left out.",
+         [](auto& s) { return &s.disc->lean.precession; }}};
+}
+
 Feature ring_rates() {
     return {{Effect::kRingRates, "ring-rates", "EFFECT_RING_RATES",
              "Orbital speeds of a disc's rings that no closed form of the shader has.",
@@ -107,7 +122,9 @@ std::span<const Feature> disc_features() {
          },
          [](Scene& s) { s.disc.reset(); },
          nothing,
-         [](Scene& s) { s.disc.emplace(); }},
+         [](Scene& s) { s.disc.emplace(); },
+         nullptr,
+         plane_keys()},
         {{Effect::kDiscImage, "disc-image", "EFFECT_DISC_IMAGE", "The disc carries an image.",
           "disc.texture is \"image\", and disc.emission too or there is a disc.image",
           "a picture with mip levels; one or two fetches a crossing"},

@@ -50,8 +50,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     scene.camera = *plain;
     FrameTracer tracer;
     tracer.camera_ = scene.camera;
-    tracer.disc_ = scene.disc;
-    tracer.plane_ = disc_plane_of(scene);
+    tracer.disc_ = scene.disc, tracer.plane_ = disc_plane_of(scene);
     const CameraSpec& camera = scene.camera;
     if (camera.width < 1 || camera.height < 1)
         return bad_input(fmt::format("camera: size {}x{} must be at least 1x1", camera.width, camera.height));
@@ -87,11 +86,10 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     tracer.bodies_ = std::make_shared<Bodies>(scene, *tracer.matter_);
     const bool late = scene.light.delay && !moving_parts(scene).empty(),
                disc_moves = scene.disc && (!scene.spots.empty() || scene.disc->flow != DiscFlowKind::kStill);
-    RayTask task{tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0, nullptr};
-    task.plane = tracer.plane_;
+    RayTask task{tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0, nullptr, false,
+                 tracer.plane_};
     TRY(rays, tracer.matter_->rays(scene, **spacetime, task));
-    tracer.bare_rays_ = std::move(*rays);
-    tracer.rays_ = tracer.bare_rays_;
+    tracer.rays_ = tracer.bare_rays_ = std::move(*rays);
     if (tracer.medium_) {
         task.medium = tracer.medium_.get();
         TRY(through_matter, tracer.matter_->rays(scene, **spacetime, task));

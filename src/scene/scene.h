@@ -204,8 +204,7 @@ struct DiscSpec {
     DiscFlowKind flow = DiscFlowKind::kStill;
     OrbitSense sense = OrbitSense::kEastward;  // of its matter: thermal light and flow
     DiscLean lean{};                           // of its plane
-    double flow_life =
-        40.0;  // kKepler, r_s/c: how long a copy of the pattern is sheared before it has faded into the next
+    double flow_life = 40.0;                   // kKepler, r_s/c: for which a copy of the pattern is sheared
     // Only colours, formula, columns and rows are used; with texture kImage the picture is `image`. u = 1/2 + azimuth/2 pi,
     // v = (r - inner)/(outer - inner); x, y: the point in the disc, z = 0.
     Material material{.texture = TextureKind::kImage};

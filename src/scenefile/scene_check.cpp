@@ -22,7 +22,7 @@
 #include "scene/picture_size.h"
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
-#include "scenefile/leaning_check.h"
+#include "scenefile/disc_orbit_check.h"
 #include "scenefile/projection_words.h"
 #include "scenefile/scene_value.h"
 #include "scenefile/sections.h"
@@ -226,16 +226,6 @@ Faults check_disc(const Scene& scene, const World& world, const GivenKeys& given
     return faults;
 }
 
-// Matter that goes round, as far as the disc reaches.
-Faults check_disc_orbits(const Scene& scene, const World& world) {
-    const auto& disc = scene.disc;
-    if (!disc || !world || (disc->emission != DiscEmission::kThermal && disc->flow == DiscFlowKind::kStill)) return {};
-    const double most = outermost_circular_orbit(*world);
-    if (disc->outer <= most) return {};
-    return {{"disc.outer", fmt::format("at {} its matter is pulled outward by a cosmological constant", disc->outer),
-             fmt::format("at most {:.6g}, or a disc that neither is thermal nor flows", most)}};
-}
-
 Faults check_spots(const Scene& scene) {
     if (!scene.spots.empty() && !scene.disc)
         return {{"spot", "there is no [disc]", "in a disc only; disc.opacity = 0 shows the spots alone"}};
@@ -377,14 +367,12 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     const World world = world_of(scene.spacetime), other = scene.split ? world_of(*scene.split) : nullptr;
     Faults faults = check_path(scene);
     append(faults, check_disc(scene, world, given));
-    append(faults, check_disc_orbits(scene, world));
-    append(faults, of_right_half(check_disc_orbits(scene, other)));
+    if (world) append(faults, disc_orbit_faults(*world, scene));
+    if (other) append(faults, of_right_half(disc_orbit_faults(*other, scene)));
     append(faults, check_patterns(scene));
     append(faults, check_bodies(scene, world ? world->horizon_radius().value_or(0.0) : 0.0));
-    if (world) append(faults, metric_faults(*world, scene)), append(faults, leaning_faults(*world, scene));
-    if (other)
-        append(faults, of_right_half(metric_faults(*other, scene))),
-            append(faults, of_right_half(leaning_faults(*other, scene)));
+    if (world) append(faults, metric_faults(*world, scene));
+    if (other) append(faults, of_right_half(metric_faults(*other, scene)));
     append(faults, check_other_keys(scene, given));
     append(faults, check_spots(scene));
     if (!faults.empty()) return faults;

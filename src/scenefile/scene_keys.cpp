@@ -313,15 +313,6 @@ constexpr SceneKey kKeys[] = {
      "Width of the soft edge at both rims, as a fraction of outer - inner.", [](auto& s) { return &s.disc->edge; }},
     {"disc", "rotation", KeyType::kNumber, "deg", "0", kAnyAngle, "",
      "Rotation of image or texture about the disc's axis.", [](auto& s) { return &s.disc->rotation; }},
-    {"disc", "tilt", KeyType::kNumber, "deg", "0", closed(0.0, 180.0), "", "Angle between its axis and the z axis.",
-     [](auto& s) { return &s.disc->lean.tilt; }},
-    {"disc", "node", KeyType::kNumber, "deg", "0", kAnyAngle, "",
-     "Azimuth of its ascending node at time 0: there what goes eastward round its axis comes up through the equatorial "
-     "plane.",
-     [](auto& s) { return &s.disc->lean.node; }},
-    {"disc", "precession", KeyType::kNumber, "deg", "0", kAnyAngle, "",
-     "By how much its node moves in a time of r_s/c, all of it together; the time that light takes is left out.",
-     [](auto& s) { return &s.disc->lean.precession; }},
     {"disc", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Multiplies the disc's light.",
      [](auto& s) { return &s.disc->brightness; }},
 

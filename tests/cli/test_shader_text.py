@@ -127,7 +127,7 @@ SCENES = {
     "spin, spin-fall, spin-near": '[spacetime]\nmetric = "kerr"\n[camera]\nobserver = "rain"\nr = 0.8\n[sky]\nkind = "black"\n',
     "spin, spin-ring, zoom": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[zoom]\n',
     "spin, disc, sky": '[spacetime]\nmetric = "kerr"\n[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nemission = "thermal"\n',
-    "spin, disc-lean": '[spacetime]\nmetric = "kerr"\n[disc]\nemission = "thermal"\nflow = "kepler"\ntexture = "noise"\ntilt = 30\n',
+    "spin, disc-lean": '[spacetime]\nmetric = "kerr"\n[disc]\nemission = "thermal"\ntilt = 30\n',
     "limb-darkening": '[sky]\nkind = "black"\n[disc]\nemission = "thermal"\nlimb_darkening = "on"\n',
     "spin, limb-darkening": '[spacetime]\nmetric = "kerr"\n[disc]\nemission = "thermal"\nlimb_darkening = "on"\n',
     "spin, medium-polarisation": '[spacetime]\nmetric = "kerr"\n[sky]\nkind = "black"\n[object]\nname = "m87"\n[medium]\nkind = "formula"\nemission = "synchrotron"\nfield_direction = "south"\npolarisation = "on"\n',

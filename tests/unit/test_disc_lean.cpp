@@ -11,6 +11,8 @@
 #include "reference/frame_tracer.h"
 #include "reference/reference.h"
 #include "scene/leaning_disc.h"
+#include "spacetime/leaning_circle.h"
+#include "spacetime/registry.h"
 
 namespace {
 
@@ -150,6 +152,75 @@ TEST_CASE("disc lean: crossings of a list of rays lie in its plane") {
         }
     }
     CHECK(met > 10);
+}
+
+// About a rotating hole, of a hair's tilt: what the equator's own way of crossings and matter have. By two ways of the reference.
+TEST_CASE("disc lean: a hair's tilt about a rotating hole is none, by crossings and by matter") {
+    for (const double spin : {-0.9, 0.6}) {
+        Scene flat;
+        flat.spacetime = {"kerr", {{"spin", spin}}};
+        flat.camera.r = 11, flat.camera.theta = 1.0, flat.camera.observer = ObserverKind::kZamo;
+        flat.camera.width = 24, flat.camera.height = 16, flat.camera.plane_width = 1.4;
+        DiscSpec& disc = flat.disc.emplace();
+        disc.inner = 5, disc.outer = 20, disc.opacity = 0.5, disc.emission = DiscEmission::kThermal;
+        Scene hair = flat;
+        hair.disc->lean = {1e-9, 0.7};
+        const auto a = reference::FrameTracer::make(flat), b = reference::FrameTracer::make(hair);
+        REQUIRE(a);
+        REQUIRE(b);
+        const reference::DiscLight of_flat(a->matter(), *flat.disc, {}), of_hair(b->matter(), *hair.disc, {});
+        double most = 0, most_g = 0;
+        int met = 0;
+        for (int y = 1; y < 16; y += 2)
+            for (int x = 1; x < 24; x += 2) {
+                const auto one = a->ray(x, y), other = b->ray(x, y);
+                const auto p = a->disc_hits(*one, 3), q = b->disc_hits(*other, 3);
+                REQUIRE(p.size() == q.size());
+                for (std::size_t k = 0; k < p.size(); ++k, ++met) {
+                    const double r = std::hypot(p[k].x, p[k].y);
+                    const auto g = [&](const reference::DiscLight& light, const reference::DiscHit& hit) {
+                        return light.g_infinity({std::hypot(hit.x, hit.y), hit.l, hit.climb, hit.cosine});
+                    };
+                    most = std::max({most, std::hypot(p[k].x - q[k].x, p[k].y - q[k].y) / r,
+                                     std::fabs(p[k].l - q[k].l) / r, std::fabs(p[k].climb - q[k].climb)});
+                    most_g = std::max(most_g, std::fabs(g(of_hair, q[k]) / g(of_flat, p[k]) - 1));
+                }
+            }
+        fmt::print("disc lean: a = {}, {} crossings of a hair's tilt are the equator's to {:.1e}, g to {:.1e}\n", spin, met, most,
+                   most_g);
+        CHECK(met > 40);
+        CHECK(most < 1e-7);
+        CHECK(most_g < 1e-7);
+    }
+}
+
+// u.u = -1 by the metric itself, at any place on the disc; at no tilt and at half a turn the geodesics.
+TEST_CASE("disc lean: matter about a rotating hole keeps below light, or is refused") {
+    const auto hole = *make_spacetime("kerr-newman", MetricParameters{{"spin", 0.8}, {"charge", 0.4}});
+    for (const double tilt : {0.3, 1.2, M_PI / 2, 2.5}) {
+        const DiscPlane plane = disc_plane({tilt, 0.4}, 0);
+        for (const double r : {3.0, 7.0})
+            for (const double round : {0.0, 0.7, 1.5, 4.0}) {
+                const double rate = *leaning_rate(*hole, r, Sense::kEastward, tilt);
+                const Vec3 n = plane.place(std::cos(round), std::sin(round)), way = rate * cross(plane.normal, n);
+                const double theta = std::acos(n.z), phi = std::atan2(n.y, n.x);
+                const Mat3 world = world_from_static(theta, phi);
+                const double u[4] = {1, 0, dot(way, world.b), dot(way, world.c) / std::sin(theta)};
+                const Matrix4 g = hole->metric(r, theta);
+                double square = 0;
+                for (std::size_t i = 0; i < 4; ++i)
+                    for (std::size_t k = 0; k < 4; ++k) square += g[i][k] * u[i] * u[k];
+                CHECK(std::fabs(leaning_lapse2(*hole, r, rate, tilt, std::sin(theta)) + square) < 1e-14);
+            }
+        const auto limit = leaning_disc_limit(*hole, 0.8, 20, Sense::kEastward, tilt);
+        REQUIRE(limit);
+        CHECK(*limit >= 0.8);
+        CHECK(*limit < 3);
+        CHECK(!leaning_disc_limit(*hole, 1.02 * *limit, 20, Sense::kEastward, tilt));
+    }
+    CHECK(*leaning_rate(*hole, 5, Sense::kEastward, 0) == circular_orbit(*hole, 5)->omega);
+    // Upside down, eastward about its own axis is westward about the hole's.
+    CHECK(std::fabs(*leaning_rate(*hole, 5, Sense::kEastward, M_PI) + circular_orbit(*hole, 5, Sense::kWestward)->omega) < 1e-15);
 }
 
 }  // namespace
