@@ -3,10 +3,13 @@
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/string.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <memory>
 
+#include "command/ray_curves.h"
 #include "command/ray_fields.h"
 #include "command/ray_trace.h"
 #include "module/call.h"
@@ -16,7 +19,7 @@
 namespace nullscope::python {
 namespace {
 
-// A column of another's array: doubles, or for `frame` bytes. It stays as it is for as long as this is.
+// A column of another's array: doubles, or for words bytes. It stays as it is for as long as this is.
 class Column {
 public:
     explicit Column(const nb::handle& array) {
@@ -51,15 +54,15 @@ public:
     std::size_t row = 0;
     bool given(cli::RayColumn column) const override {
         if (!columns_[column]) return false;
-        return column == cli::kFrame ? !columns_[column]->word(row).empty()
-                                     : !std::isnan(columns_[column]->number(row));
+        return cli::is_word(column) ? !columns_[column]->word(row).empty()
+                                    : !std::isnan(columns_[column]->number(row));
     }
     std::optional<double> number(cli::RayColumn column) const override {
         const double value = columns_[column]->number(row);
         return std::isfinite(value) ? std::optional(value) : std::nullopt;
     }
     std::string text(cli::RayColumn column) const override {
-        return column == cli::kFrame ? columns_[column]->word(row) : fmt::format("{}", columns_[column]->number(row));
+        return cli::is_word(column) ? columns_[column]->word(row) : fmt::format("{}", columns_[column]->number(row));
     }
 
 private:
@@ -166,6 +169,36 @@ void trace(const Scene& scene, const nb::dict& rays, const Bytes& out, const cli
     });
 }
 
+// Rows of points: ray, point, lambda to t_rate. NaN of rays without a curve.
+void curves(const Scene& scene, const nb::dict& rays, nb::ndarray<double, nb::ndim<3>, nb::c_contig, nb::device::cpu> out,
+            double farthest, const nb::object& progress) {
+    constexpr double reference::CurvePoint::*kNumbers[] = {
+        &reference::CurvePoint::affine,     &reference::CurvePoint::r,        &reference::CurvePoint::theta,
+        &reference::CurvePoint::phi,        &reference::CurvePoint::t,        &reference::CurvePoint::r_rate,
+        &reference::CurvePoint::theta_rate, &reference::CurvePoint::phi_rate, &reference::CurvePoint::t_rate};
+    const auto spacetime = space_of(scene.spacetime).metric;
+    const GivenRays given = columns_of(rays, *spacetime);
+    const std::size_t count = out.shape(0), points = out.shape(1);
+    double* data = out.data();
+    run(progress, [&](Watch& watch) -> Status {
+        const cli::Listener listener = watch.listener();
+        TRY(queries, queries_of(given, count, *spacetime));
+        std::fill_n(data, count * points * std::size(kNumbers), kNotANumber);
+        std::size_t found = 0;
+        const cli::CurveOutput output{[&](std::size_t i, cli::Curve&& curve) {
+                                          double* to = data + i * points * std::size(kNumbers);
+                                          for (const reference::CurvePoint& point : curve)
+                                              for (const auto number : kNumbers) *to++ = point.*number;
+                                          if (!curve.empty()) ++found;
+                                      },
+                                      listener.progress("rays", static_cast<long long>(count)), of_ray};
+        TRY(done, cli::trace_curves(scene, spacetime->length_unit(), *queries, {static_cast<int>(points), farthest}, output));
+        const std::string note = cli::no_curve_note(count - found, count, farthest);
+        if (!note.empty()) listener.note(note);
+        return Done{};
+    });
+}
+
 Error unknown_word(const std::string& option, const std::string& word, const std::string& allowed) {
     return bad_key(option, fmt::format("'{}' is none of them", word), allowed);
 }
@@ -192,6 +225,7 @@ void add_trace(nb::module_& m) {
         },
         nb::arg("scene"), nb::arg("rays"), nb::arg("out"), nb::arg("with_"), nb::arg("method"), nb::arg("context"),
         nb::arg("crossings"), nb::arg("progress").none());
+    m.def("curves", &curves, nb::arg("scene"), nb::arg("rays"), nb::arg("out"), nb::arg("far"), nb::arg("progress").none());
     m.def(
         "crossing_columns",
         [](const Scene& scene) {

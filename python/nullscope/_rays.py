@@ -10,8 +10,10 @@ from ._scenes import scene as _scene
 
 Progress = Callable[[int, int], object] | None   # called with what is done and what there is in all
 
-_COLUMNS = ("r", "theta", "phi", "n_r", "n_theta", "n_phi", "frame", "q", "zeta0", "l0", "s", "at_angle", "alpha", "beta")
+_COLUMNS = ("r", "theta", "phi", "n_r", "n_theta", "n_phi", "frame", "q", "zeta0", "l0", "s", "at_angle", "alpha", "beta",
+            "lambda", "eta", "up", "unit")
 _NUMBERS = ("theta_inf", "phi_inf", "angle", "delay", "g", "turn", "at")
+_CURVE = ("lambda", "r", "theta", "phi", "t", "r_rate", "theta_rate", "phi_rate", "t_rate")
 
 
 class Fate(enum.IntEnum):
@@ -36,7 +38,7 @@ def fate_name(scene: SceneLike, ray: np.void) -> str:
 
 def _array(name, values):
     try:
-        if name == "frame":
+        if name in ("frame", "unit"):
             return np.char.encode(np.asarray(values, dtype=np.str_), "ascii", "replace")
         return np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -71,7 +73,8 @@ def trace(scene: SceneLike, rays: np.ndarray | Mapping, with_: str = "reference"
 
     rays: a structured array, shape (n,), or a dict of arrays, shape (n,) or scalars. Columns r (r_s), theta, phi (rad) of the camera and
     n_r, n_theta, n_phi, the view direction in its local frame, optionally frame ("static" or "rain"); or alpha, beta (r_s, to
-    the right of the centre and up, as an observer at infinity sees it), theta and optionally phi; or, without rotation, q, zeta0 (l0 in
+    the right of the centre and up, as an observer at infinity sees it), theta and optionally phi and unit ("r_s" or "M"); or lambda, eta, theta
+    and optionally up; or, without rotation, q, zeta0 (l0 in
     wormholes) and s; optionally at_angle (rad; NaN where nothing is asked). Arrays of float64 are read where they are.
     with_: "reference" (double precision, closed forms), "core64" or "core32" (the shader's code as C++), "gl" (the shader itself).
     crossings: how many crossings of the equatorial plane to list.
@@ -92,6 +95,25 @@ def trace(scene: SceneLike, rays: np.ndarray | Mapping, with_: str = "reference"
     out = np.empty(count, dtype=fields)
     _core.trace(given, columns, out.view(np.uint8), with_, method, context, int(crossings), progress)
     return out
+
+
+def trace_curves(scene: SceneLike, rays: np.ndarray | Mapping, points: int = 200, *, far: float = 100.0, progress: Progress = None) -> np.ndarray:
+    """Light rays as curves of `points` points each, by the reference, as `nullscope trace --points` writes them (docs/ray-data.md, "Curves").
+
+    rays: as trace() takes them. far: radius beyond which curves are left out, r_s (wormholes: the throat's radius).
+    Returns a structured array, shape (n, points): lambda (affine parameter), r (r_s), theta, phi (rad), t (r_s/c) and their derivatives by
+    lambda, r_rate, theta_rate, phi_rate, t_rate. NaN, and a warning, where a ray has no curve.
+    """
+    given = _scene(scene)
+    columns, count = _columns(rays)
+    _check_whole("points", points, 2, 100_000)
+    if isinstance(far, bool) or not isinstance(far, (int, float, np.number)) or not 1e-3 <= far <= 1e9:
+        raise _core.Error(f"far: {far} is no radius; allowed: a number from 0.001 to 1e9")
+    if count * points > 50_000_000:
+        raise _core.Error(f"{count} rays of {points} points are too many; allowed: 5e+07 points in all")
+    out = np.empty((count, int(points), len(_CURVE)))
+    _core.curves(given, columns, out, float(far), progress)
+    return out.view([(name, "f8") for name in _CURVE])[:, :, 0]
 
 
 def deflection(spacetime: "_core.Spacetime | SceneLike", impact: np.ndarray | float, *,

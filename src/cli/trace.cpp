@@ -9,7 +9,9 @@
 #include "base/atomic_file.h"
 #include "base/progress.h"
 #include "cli/command.h"
+#include "cli/curve_file.h"
 #include "cli/ray_csv.h"
+#include "command/ray_curves.h"
 #include "command/ray_trace.h"
 #include "scenefile/scene_file.h"
 #include "spacetime/registry.h"
@@ -20,12 +22,57 @@ namespace {
 struct Options : TraceOptions {
     std::vector<std::string> set;  // scenefile/scene_override.h
     std::string scene, rays, output;
+    int points = 0;  // of each ray as a curve; 0: rays as rows
+    double far = reference::CurveSpec{}.farthest;
+    CurveForm form;
 };
 
+bool ends_in_obj(const std::string& name) { return name.ends_with(".obj") || name.ends_with(".OBJ"); }
+
+Status write(const Options& options, const std::string& text) {
+    if (!options.output.empty()) return write_text_atomically(options.output, text);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return Done{};
+}
+
+Status check_curve_options(const Options& options) {
+    const bool asked = options.form.cartesian || options.form.rates || options.far != reference::CurveSpec{}.farthest;
+    if (options.points == 0) {
+        if (asked) return bad_input("--cartesian, --rates and --far are of curves", "with --points N");
+        if (ends_in_obj(options.output))
+            return bad_input(fmt::format("-o {}: a polyline needs points", options.output), "--points N, or a .csv");
+        return Done{};
+    }
+    if (options.points == 1) return bad_input("--points 1: one point is no curve", "[2, 100000]");
+    if (options.with != "reference" || options.method != "auto" || options.context != "auto")
+        return bad_input("--points: curves are the reference's", "--with reference, without --method and --context");
+    if (options.crossings > 0) return bad_input("--points: not with --crossings", "one of them");
+    if (ends_in_obj(options.output) && options.form.rates)
+        return bad_input("--rates: an OBJ file has places alone", "a .csv");
+    return Done{};
+}
+
+Status write_curves(const Options& options, const Scene& scene, const Spacetime& spacetime, const RayTable& table) {
+    std::vector<Curve> curves(table.queries.size());
+    {
+        Progress progress("rays", static_cast<long long>(curves.size()));
+        const CurveOutput output{[&](std::size_t i, Curve&& curve) { curves[i] = std::move(curve); },
+                                 [&](long long n) { progress.advance(n); },
+                                 [&](std::size_t i, const Error& error) { return ray_error(table, i, error); }};
+        TRY(traced, trace_curves(scene, spacetime.length_unit(), table.queries, {options.points, options.far}, output));
+    }
+    const auto without = std::ranges::count_if(curves, [](const Curve& curve) { return curve.empty(); });
+    const std::string note = no_curve_note(static_cast<std::size_t>(without), curves.size(), options.far);
+    if (!note.empty()) fmt::print(stderr, "nullscope: {}\n", note);
+    return write(options, ends_in_obj(options.output) ? curves_obj(curves) : curves_csv(curves, options.form));
+}
+
 Status run(const Options& options) {
+    TRY(fitting, check_curve_options(options));
     TRY(scene, asked_scene(options));
     TRY(spacetime, make_spacetime(scene->spacetime.metric, scene->spacetime.parameters));
     TRY(table, read_rays(options.rays, **spacetime));
+    if (options.points > 0) return write_curves(options, *scene, **spacetime, *table);
     RayRecords records(table->rows.size());
     {
         Progress progress("rays", static_cast<long long>(records.size()));
@@ -40,11 +87,7 @@ Status run(const Options& options) {
         if (!note.empty()) fmt::print(stderr, "nullscope: {}\n", note);
     const std::string text = rays_text(*table, *scene, records, options.crossings,
                                        crossing_columns(*scene, **spacetime), (*spacetime)->length_unit());
-    if (options.output.empty()) {
-        std::fwrite(text.data(), 1, text.size(), stdout);
-        return Done{};
-    }
-    return write_text_atomically(options.output, text);
+    return write(options, text);
 }
 
 }  // namespace
@@ -56,7 +99,8 @@ void add_trace(Command& parent) {
                     "Scene file, or the name of a built-in scene; its metric and disc are used, its camera is not");
     set_option(command, options.set);
     required_option(command, "--rays", options.rays,
-                    "CSV with the columns r,theta,phi,n_r,n_theta,n_phi[,frame], or alpha,beta,theta[,phi] of an "
+                    "CSV with the columns r,theta,phi,n_r,n_theta,n_phi[,frame], or alpha,beta,theta[,phi,unit] or "
+                    "lambda,eta,theta[,up,phi,unit] of an "
                     "observer at infinity, or "
                     "q,zeta0,s; optional at_angle; other columns are copied");
     command.add_option("-o,--output", &options.output, "File to write (default: standard output)");
@@ -74,6 +118,14 @@ void add_trace(Command& parent) {
                   "..., with a polarised one "
                   "chi_1, p_1, ...");
     context_option(command, options.context, "OpenGL context of --with gl: auto, egl, osmesa");
+    number_option(
+        command, "--points", options.points, 0, kMostCurvePoints,
+        "Each ray as a curve of N points instead: ray, lambda (affine parameter), r, theta, phi, t; -o NAME.obj "
+        "writes polylines");
+    number_option(command, "--far", options.far, 1e-3, 1e9,
+                  "With --points: radius beyond which curves are left out, r_s (wormholes: the throat's radius)");
+    command.add_flag("--cartesian", &options.form.cartesian, "With --points: x, y, z instead of r, theta, phi");
+    command.add_flag("--rates", &options.form.rates, "With --points: derivatives by lambda too");
 }
 
 }  // namespace nullscope::cli

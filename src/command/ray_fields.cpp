@@ -102,20 +102,58 @@ void read_general(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
                    fmt::format("{}, or frame = rain", allowed_radii(spacetime)));
 }
 
+// What alpha, beta and lambda are counted in, r_s.
+double screen_unit(RowReader& row, const Spacetime& spacetime) {
+    const std::string unit = row.fields.given(kUnit) ? row.fields.text(kUnit) : "r_s";
+    if (unit != "M" && unit != "r_s") row.report(kUnit, shown(unit) + " is no unit", "M, r_s or nothing");
+    if (unit == "M" && spacetime.by_proper_length()) row.report(kUnit, "M: a wormhole has none", "r_s or nothing");
+    return unit == "M" ? 0.5 : spacetime.length_unit();
+}
+
+constexpr double kFarthestOff = 1e4;  // r_s: squares of the ray's slope stay below roundings
+
+void look_from_infinity(RowReader& row, const Spacetime& spacetime, double alpha, double beta, RayQuery& query) {
+    query.r = kFarObserver;
+    if (row.fields.given(kPhi)) query.phi = row.number(kPhi, -1e6, 1e6, "phi in [-1e6, 1e6] rad");
+    query.n = normalized({-1.0, -beta / kFarObserver, alpha / kFarObserver});
+    if (!camera_can_rest(spacetime, kFarObserver) || std::fabs(spacetime.lapse_squared(kFarObserver) - 1.0) > 1e-6)
+        row.report(kTheta, "this metric has no observer at infinity",
+                   "metrics that are flat there, or r and n_r, n_theta, n_phi");
+}
+
 // Photons that reach the observer at alpha to the right and beta up of the centre have L_z = -alpha sin(theta) and p_theta = beta per unit of energy
 // there (Bardeen 1973).
 void read_at_infinity(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
-    constexpr double kFarthestOff = 1e4;  // r_s: squares of the ray's slope stay below roundings
-    constexpr std::string_view kPlace = "a place on the observer's screen, [-1e4, 1e4] r_s";
-    query.r = kFarObserver;
+    constexpr std::string_view kPlace = "a place on the observer's screen, [-1e4, 1e4] r_s, or M";
     query.theta = row.number(kTheta, 0, M_PI, "theta in [0, pi]");
-    if (row.fields.given(kPhi)) query.phi = row.number(kPhi, -1e6, 1e6, "phi in [-1e6, 1e6] rad");
-    const double unit = spacetime.length_unit(), alpha = row.number(kAlpha, -kFarthestOff, kFarthestOff, kPlace) * unit,
+    const double unit = screen_unit(row, spacetime),
+                 alpha = row.number(kAlpha, -kFarthestOff, kFarthestOff, kPlace) * unit,
                  beta = row.number(kBeta, -kFarthestOff, kFarthestOff, kPlace) * unit;
-    query.n = normalized({-1.0, -beta / kFarObserver, alpha / kFarObserver});
-    if (!camera_can_rest(spacetime, kFarObserver) || std::fabs(spacetime.lapse_squared(kFarObserver) - 1.0) > 1e-6)
-        row.report(kAlpha, "this metric has no observer at infinity",
-                   "metrics that are flat there, or r and n_r, n_theta, n_phi");
+    look_from_infinity(row, spacetime, alpha, beta, query);
+}
+
+// lambda = L_z/E and Carter's eta = Q/E^2: p_theta^2 = eta + a^2 cos^2(theta) - lambda^2 cot^2(theta) (Carter 1968).
+void read_conserved(RowReader& row, const Spacetime& spacetime, RayQuery& query) {
+    constexpr double kSlack = 1e-13;  // of the largest term: p_theta = 0 but for rounding
+    query.theta = row.number(kTheta, 0, M_PI, "theta in [0, pi]");
+    const double unit = screen_unit(row, spacetime);
+    const double lambda = row.number(kLambda, -kFarthestOff, kFarthestOff, "L_z/E, [-1e4, 1e4]") * unit,
+                 eta =
+                     row.number(kEta, -kFarthestOff * kFarthestOff, kFarthestOff * kFarthestOff, "Q/E^2, [-1e8, 1e8]") *
+                     unit * unit;
+    const double up = row.fields.given(kUp) ? row.number(kUp, -1, 1, "1 or -1") : 1;
+    if (std::fabs(up) != 1) row.report(kUp, row.shown_field(kUp) + " is no sense", "1: beta > 0, or -1: beta < 0");
+    const double sine = std::sin(query.theta), cosine = std::cos(query.theta);
+    const bool on_axis = sine < 1e-9;
+    if (on_axis && lambda != 0)
+        row.report(kLambda, row.shown_field(kLambda) + " does not reach an observer on the axis", "0");
+    const double across = on_axis ? 0 : lambda * cosine / sine, drag = spacetime.a() * cosine;
+    const double square = eta + drag * drag - across * across, largest = std::max(std::fabs(eta), across * across);
+    if (square < -kSlack * largest)
+        row.report(
+            kEta, fmt::format("{} is too small: no such light comes to theta = {}", row.shown_field(kEta), query.theta),
+            fmt::format("eta >= {:.17g}", (across * across - drag * drag) / (unit * unit)));
+    look_from_infinity(row, spacetime, on_axis ? 0 : -lambda / sine, up * std::sqrt(std::max(square, 0.0)), query);
 }
 
 }  // namespace
@@ -139,6 +177,7 @@ Result<RayForm> ray_form(const std::array<bool, kRayColumns>& there) {
     const Form forms[] = {
         {RayForm::kGeneral, any({kR, kNr, kNtheta, kNphi}), missing(there, {kR, kTheta, kPhi, kNr, kNtheta, kNphi})},
         {RayForm::kAtInfinity, any({kAlpha, kBeta}), missing(there, {kAlpha, kBeta, kTheta})},
+        {RayForm::kConserved, any({kLambda, kEta}), missing(there, {kLambda, kEta, kTheta})},
         {RayForm::kReduced, any({kQ, kZeta0, kS}), missing(there, {kQ, kZeta0, kS})}};
     if (std::ranges::count(forms, true, &Form::meant) > 1)
         return bad_key("header", "columns of several forms of a ray", std::string(kRayForms));
@@ -154,6 +193,7 @@ Result<RayQuery> ray_query(const RayFields& fields, RayForm form, const Spacetim
     switch (form) {
         case RayForm::kGeneral: read_general(row, spacetime, query); break;
         case RayForm::kAtInfinity: read_at_infinity(row, spacetime, query); break;
+        case RayForm::kConserved: read_conserved(row, spacetime, query); break;
         case RayForm::kReduced: read_reduced(row, spacetime, query); break;
     }
     if (fields.given(kAtAngle)) query.at_angle = row.number(kAtAngle, 0, 1e6, "an angle in [0, 1e6] rad, or nothing");

@@ -11,15 +11,39 @@
 
 namespace nullscope::cli {
 
-enum RayColumn { kR, kTheta, kPhi, kNr, kNtheta, kNphi, kFrame, kQ, kZeta0, kS, kAtAngle, kAlpha, kBeta, kRayColumns };
+enum RayColumn {
+    kR,
+    kTheta,
+    kPhi,
+    kNr,
+    kNtheta,
+    kNphi,
+    kFrame,
+    kQ,
+    kZeta0,
+    kS,
+    kAtAngle,
+    kAlpha,
+    kBeta,
+    kLambda,
+    kEta,
+    kUp,
+    kUnit,
+    kRayColumns
+};
 inline constexpr std::array<std::string_view, kRayColumns> kRayColumnNames = {
-    "r", "theta", "phi", "n_r", "n_theta", "n_phi", "frame", "q", "zeta0", "s", "at_angle", "alpha", "beta"};
+    "r", "theta",    "phi",   "n_r",  "n_theta", "n_phi", "frame", "q",   "zeta0",
+    "s", "at_angle", "alpha", "beta", "lambda",  "eta",   "up",    "unit"};
 inline constexpr std::string_view kRayForms =
-    "r,theta,phi,n_r,n_theta,n_phi[,frame] or alpha,beta,theta[,phi] or q,zeta0,s (wormholes: q,l0,s); each with "
-    "at_angle";
+    "r,theta,phi,n_r,n_theta,n_phi[,frame] or alpha,beta,theta[,phi,unit] or lambda,eta,theta[,up,phi,unit] or "
+    "q,zeta0,s "
+    "(wormholes: q,l0,s); each with at_angle";
+
+inline constexpr bool is_word(RayColumn column) { return column == kFrame || column == kUnit; }  // others are numbers
 
 // kAtInfinity: of an observer at infinity at theta and phi, as one that rests at kFarObserver: alpha, beta are off by 1/kFarObserver of themselves.
-enum class RayForm { kGeneral, kAtInfinity, kReduced };
+// kConserved: the same by what the photon conserves.
+enum class RayForm { kGeneral, kAtInfinity, kConserved, kReduced };
 inline constexpr double kFarObserver = 1e9;  // r_s
 
 // The column of this name; nothing for others. Wormholes: l0 is zeta0's.

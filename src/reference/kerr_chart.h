@@ -71,6 +71,8 @@ struct KerrChart : KerrHole {
     double tortoise_ahead(double r) const {                           // r_* - r
         return std::log(r) + std::log1p(-outer() / r) + horizon_area(inner()) * delta_ahead(r);
     }
+    double ahead_slope(double r) const { return a * (1 / delta(r) - 1 / (r * r + a * a)); }
+    double tortoise_slope(double r) const { return twice_mass(r) * r / delta(r); }  // of tortoise_ahead
     double delta_ahead(
         double r) const {  // less the integral of dr/Delta from here on, also where both horizons are one
         const double root = horizons_apart(), open = r - inner();

@@ -33,12 +33,27 @@ struct KerrTrace::Looks {
         if (!line) line = trace.between(from, end, taken);
         return (*line)((along - from.along) / taken);
     }
+    KerrMotion motion(double along) { return trace.motion_of(from, near(along).value, along - from.along); }
 };
 
 KerrPlace KerrTrace::place_of(const Here& from, const State& s, double length) const {
     const double au2 = (flow_.a * s[5]) * (flow_.a * s[5]), ratio = KerrFlow::round(s[2], au2).ratio, r = ratio / s[5];
     return {r, std::atan2(std::hypot(s[0], s[1]) / std::sqrt(ratio * ratio + au2), s[2] / ratio),
             azimuth(from, s, length, r), delay(from, s)};
+}
+
+// The chart's velocity, and what its azimuth and time are ahead.
+KerrMotion KerrTrace::motion_of(const Here& from, const State& s, double length) const {
+    const auto [x, p] = phase(from, s);
+    const KerrChart::Pull pull = chart_.pull(from.leg.energy, x, p);
+    const Vec3 v = p + pull.drift;
+    const double r = chart_.radius(x), rising = chart_.rising(x, v), flat2 = x.x * x.x + x.y * x.y,
+                 sense = from.leg.sense;
+    const double cosine = x.z / r, sine = std::sqrt(flat2 / (r * r + flow_.a * flow_.a));
+    const double turn = flat2 > 0 ? (x.x * v.y - x.y * v.x) / flat2 : 0;
+    return {place_of(from, s, length), rising, (cosine * rising - v.z) / (r * std::max(sine, kAxis)),
+            -sense * (turn - chart_.ahead_slope(r) * rising),
+            -sense * (from.leg.energy + pull.delay - chart_.tortoise_slope(r) * rising)};
 }
 
 // By states at the places between, which are integrated together, and the slopes that they have.
@@ -94,7 +109,8 @@ void KerrTrace::show(const State& end, double taken) const {
                   },
                   [looks](double along, bool timed) {
                       return looks->trace.glance(looks->from, looks->near(along), looks->taken, timed);
-                  }};
+                  },
+                  [looks](double along) { return looks->motion(along); }};
     if (begins != ends) {
         double out = begins ? 0 : taken, in = taken - out;
         for (int i = 0; i < kHalvings; ++i) {

@@ -188,6 +188,22 @@ public:
         return watches.ray(
             trace_kerr(hole_, KerrStart{query.r, query.theta, query.phi, query.n}, equatorial(task), watches.watch));
     }
+    void stretches(const RayQuery& query, double energy, const StretchWatch& watch) const override {
+        trace_kerr(hole_, KerrStart{query.r, query.theta, query.phi, query.n}, 0, [&](const KerrStep& step) {
+            watch({step.from, step.to, step.to - step.from,
+                   [&](double along) {
+                       const KerrMotion by = step.motion(along);
+                       const KerrPlace& at = by.place;
+                       const double sine = std::sin(at.theta), x = kerr_distance(hole_, at.r, sine);
+                       const double turn = x * x * std::hypot(by.theta, sine * by.phi);
+                       return StretchPlace{at.r, at.theta, at.phi, x, 1, energy * x * x, turn, -at.delay, 0};
+                   },
+                   [&](double along) {
+                       const KerrMotion by = step.motion(along);
+                       return StretchMotion{by.r / energy, by.theta / energy, by.phi / energy, by.t / energy};
+                   }});
+        });
+    }
 
 private:
     KerrHole hole_;

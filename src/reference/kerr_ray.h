@@ -72,6 +72,13 @@ struct KerrGlance {
     double r_slope, theta_slope;  // by `along`
 };
 
+// A place, and how it moves by the affine parameter of a photon of unit frequency in the camera, away from the camera; t: the time of Boyer and
+// Lindquist.
+struct KerrMotion {
+    KerrPlace place;
+    double r, theta, phi, t;
+};
+
 // A step of the tracer, as far as it is outside the outer horizon: from one value of the tracer's own parameter to
 // another. That is the affine parameter but for a factor: it grows by 1/kerr_distance(place)^2 of it.
 struct KerrStep {
@@ -82,6 +89,7 @@ struct KerrStep {
     // microseconds for the first look, then a fifth of one.
     std::function<KerrPlace(double along)> at, between;
     std::function<KerrGlance(double along, bool timed)> glance;
+    std::function<KerrMotion(double along)> motion;
 };
 // |x| of Kerr and Schild's Cartesian coordinates.
 inline double kerr_distance(const KerrHole& hole, double r, double sine_theta) {

@@ -91,6 +91,7 @@ private:
     using Between = HermiteNinth<kFlowSize>;
     struct Looks;
     KerrPlace place_of(const Here& from, const State& s, double length) const;
+    KerrMotion motion_of(const Here& from, const State& s, double length) const;
     Between between(const Here& from, const State& end, double taken) const;
     KerrGlance glance(const Here& from, const Between::Known& there, double taken, bool timed) const;
     void show(const State& end, double taken) const;

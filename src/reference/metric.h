@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "reference/ray_stretch.h"
 #include "reference/traced_ray.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
@@ -65,6 +66,8 @@ public:
     // One ray; query.n is a unit vector. g is that of a camera at rest in query.frame. This and task.bodies outlive it.
     // Errors: query outside the metric's domain, a form or frame that does not exist there.
     virtual Result<RayPtr> ray(const RayQuery& query, const RayTask& task) const = 0;
+    // The stretches of a ray that stays in no plane, traced anew; energy: at infinity, of unit frequency in the camera, > 0.
+    virtual void stretches(const RayQuery&, double, const StretchWatch&) const {}
 };
 
 inline double parameter_of(const SpacetimeSpec& spec, const std::string& name, double fallback) {

@@ -250,6 +250,23 @@ class Rays(Test):
                     self.assertTrue(np.array_equal(found[name], there, equal_nan=True), f"{scene} {tracer} {name}")
                 self.assertEqual([ns.fate_name(scene, ray) for ray in found], [row["fate"] for row in rows])
 
+    def test_curves_are_those_of_the_command_line(self):
+        path, out = self.folder / "rays.csv", self.folder / "out.csv"
+        for scene, rays in (("kerr", some_rays(5, r=9.0)), ("kerr", {"lambda": np.array([2.0, -3.0]), "eta": np.array([20.0, 18.0]), "theta": np.ones(2)}),
+                            ("wormhole", some_rays(3, r=9.0))):
+            write_csv(path, rays)
+            found = ns.trace_curves(scene, rays, 40, far=50)
+            self.assertEqual(found.shape, (len(next(iter(rays.values()))), 40))
+            support.command_line("trace", scene, "--rays", path, "--points", 40, "--far", 50, "--rates", "-o", out)
+            with open(out, newline="") as file:
+                rows = list(csv.DictReader(file))
+            for name in found.dtype.names:
+                self.assertTrue(np.array_equal(found[name].ravel(), [float(row[name] or "nan") for row in rows], equal_nan=True), f"{scene} {name}")
+        with self.assertRaisesRegex(ns.Error, "points: 1 is out of range"):
+            ns.trace_curves("kerr", some_rays(2), 1)
+        with self.assertWarnsRegex(UserWarning, "1 of 1 rays have no curve"):
+            self.assertTrue(np.isnan(ns.trace_curves("kerr", {**some_rays(1), "r": 200.0, "n_r": 1.0}, 3)["r"]).all())
+
     def test_columns_are_read_where_they_are(self):
         rays = some_rays(1000)
         packed = np.zeros(1000, dtype=[("tag", "u1")] + [(name, "f8") for name in rays])   # unaligned
