@@ -49,7 +49,7 @@ Result<Frames> frames_of(const CaptureOptions& options, const CameraPath* path) 
 
 // Of the frame after this one; nothing after a path's last, or after the last dump of its matter.
 std::optional<Scene> next_scene(const CaptureJob& job, double time_step, int frame) {
-    if (job.path ? frame + 1 >= job.path->frames() : time_step == 0) return {};
+    if (job.path ? frame + 1 > job.path->last() : time_step == 0) return {};
     Scene next = scene_at(job, time_step, frame + 1);
     if (has_dumps(next) && medium_time_fault(next, next.time)) return {};
     return next;

@@ -8,7 +8,7 @@
 namespace nullscope::cli {
 namespace {
 
-void append(std::string& line, double value) {
+void append_number(std::string& line, double value) {
     line += ',';
     if (std::isfinite(value)) fmt::format_to(std::back_inserter(line), "{:.17g}", value);
 }
@@ -23,10 +23,10 @@ std::string curves_csv(std::span<const Curve> curves, const CurveForm& form) {
         for (const reference::CurvePoint& point : curves[i]) {
             fmt::format_to(std::back_inserter(text), "{}", i + 1);
             const Vec3 place = form.cartesian ? cartesian(point) : Vec3{point.r, point.theta, point.phi};
-            for (const double value : {point.affine, place.x, place.y, place.z, point.t}) append(text, value);
+            for (const double value : {point.affine, place.x, place.y, place.z, point.t}) append_number(text, value);
             if (form.rates)
                 for (const double value : {point.r_rate, point.theta_rate, point.phi_rate, point.t_rate})
-                    append(text, value);
+                    append_number(text, value);
             text += '\n';
         }
     return text;

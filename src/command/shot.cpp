@@ -16,6 +16,7 @@
 #include "scene/medium_bands.h"
 #include "scene/medium_dumps.h"
 #include "scene/split.h"
+#include "scenefile/path_values.h"
 #include "scenefile/photo_sphere.h"
 #include "shaderlib/frontier.h"
 
@@ -70,6 +71,7 @@ Scene scene_at(const Shot& shot, double time_step, double frame) {
     now.time += (frame - shot.time_frame) * time_step;
     if (!shot.path) return now;
     now.camera = shot.path->at(frame);
+    set_path_values(now, shot.path->values(frame));
     now.path.reset();  // its camera is where the path has led it
     now.time += shot.path->clock(frame);
     now.camera.width = shot.scene.camera.width, now.camera.height = shot.scene.camera.height;
@@ -77,7 +79,8 @@ Scene scene_at(const Shot& shot, double time_step, double frame) {
 }
 
 Exposure exposure_in(const Shot& shot, double time_step, int frame) {
-    return exposure_of([&](double at) { return scene_at(shot, time_step, at); }, frame);
+    const bool varies = shot.path && !shot.scene.path->keyed.empty();
+    return exposure_of([&](double at) { return scene_at(shot, time_step, at); }, frame, varies);
 }
 
 std::vector<double> times_in(const Shot& shot, double time_step, Frames frames) {

@@ -31,7 +31,10 @@ Result<CameraPath> CameraPath::make(const Scene& scene) {
     path.path_ = *scene.path;
     path.start_ = scene.camera;
     path.frames_ = scene.path->frames;
-    if (scene.path->kind == PathKind::kKeys) return path;
+    if (scene.path->kind == PathKind::kKeys) {
+        if (scene.path->closed) path.close();
+        return path;
+    }
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     const double wanted = scene.path->duration;
     TRY(line, Worldline::make(*spacetime, scene.camera, wanted > 0 ? wanted : kLongest));
@@ -41,6 +44,30 @@ Result<CameraPath> CameraPath::make(const Scene& scene) {
     path.start_.yaw = first.yaw, path.start_.pitch = first.pitch, path.start_.roll = first.roll;
     path.line_ = std::move(*line);
     return path;
+}
+
+// The last key before the first, and the first two after the last: the cubic joins with one slope. The clock goes on at the keys' mean rate.
+void CameraPath::close() {
+    std::vector<PathKey>& keys = path_.keys;
+    const double first = keys.front().frame, span = keys.back().frame - first;
+    turn_time_ = span > 0 ? (keys.back().time - keys.front().time) / span * frames_ : 0.0;
+    const auto moved = [&](PathKey key, int turns) {
+        key.frame += turns * frames_, key.time += turns * turn_time_;
+        return key;
+    };
+    PathKey before = moved(keys.back(), -1), after = moved(keys[0], 1), beyond = moved(keys[1], 1);
+    unwrap_angles(keys.front().camera, before.camera);
+    unwrap_angles(keys.back().camera, after.camera);
+    unwrap_angles(after.camera, beyond.camera);
+    keys.insert(keys.begin(), std::move(before));
+    keys.push_back(std::move(after));
+    keys.push_back(std::move(beyond));
+}
+
+double CameraPath::in_turn(double frame) const {
+    if (!path_.closed) return frame;
+    const double first = path_.keys[1].frame;  // the one before is a copy
+    return first + (frame - first) - frames_ * std::floor((frame - first) / frames_);
 }
 
 void unwrap_angles(const CameraSpec& before, CameraSpec& camera) {
@@ -67,9 +94,10 @@ CameraSpec CameraPath::at(double frame) const {
     return camera;
 }
 
-// Cubic Hermite between keys; slopes of the parabola through a key and its neighbours, straight at the ends. of: a number of a key.
+// Cubic Hermite between keys; slopes of the parabola through a key and its neighbours, straight at the ends. of: a number of a key. within: slopes
+// are at most three times the lesser of the secants beside them, and 0 where these differ in sign: Fritsch and Carlson (1980).
 template <class Of>
-double CameraPath::between_keys(double frame, const Of& of) const {
+double CameraPath::between_keys(double frame, const Of& of, bool within) const {
     const auto& keys = path_.keys;
     const double t = std::clamp(frame, keys.front().frame, keys.back().frame);
     const std::size_t i = key_before(frame);
@@ -80,7 +108,11 @@ double CameraPath::between_keys(double frame, const Of& of) const {
         };
         if (low == k || high == k) return secant(low, high);
         const double before = keys[k].frame - keys[low].frame, beyond = keys[high].frame - keys[k].frame;
-        return (beyond * secant(low, k) + before * secant(k, high)) / (before + beyond);
+        const double left = secant(low, k), right = secant(k, high);
+        const double parabola = (beyond * left + before * right) / (before + beyond);
+        if (!within) return parabola;
+        const double most = left * right > 0 ? 3 * std::min(std::abs(left), std::abs(right)) : 0.0;
+        return std::clamp(parabola, -most, most);
     };
     const double h = keys[i + 1].frame - keys[i].frame, x = (t - keys[i].frame) / h, y = 1 - x;
     return std::lerp(of(keys[i]), of(keys[i + 1]), x * x * (1 + 2 * y)) +
@@ -96,7 +128,17 @@ std::size_t CameraPath::key_before(double frame) const {
 
 double CameraPath::clock(double frame) const {
     if (line_) return line_->clock(proper_time(frame));
-    return between_keys(eased(path_, frame), [](const PathKey& key) { return key.time; });
+    const double at = in_turn(frame);
+    const double turns = path_.closed ? std::round((frame - at) / frames_) : 0.0;
+    return turns * turn_time_ + between_keys(eased(path_, at), [](const PathKey& key) { return key.time; });
+}
+
+std::vector<double> CameraPath::values(double frame) const {
+    std::vector<double> found;
+    for (std::size_t i = 0; i < path_.keyed.size(); ++i)
+        found.push_back(between_keys(
+            eased(path_, in_turn(frame)), [i](const PathKey& key) { return key.values[i]; }, true));
+    return found;
 }
 
 // At its place: at a key as the key says.
@@ -108,7 +150,7 @@ void CameraPath::turn_between_keys(double frame, CameraSpec& camera) const {
 }
 
 CameraSpec CameraPath::through_keys(double at) const {
-    const double frame = eased(path_, at);
+    const double frame = eased(path_, in_turn(at));
     CameraSpec camera = path_.keys[key_before(frame)].camera;
     for (const auto member : kCameraNumbers)
         camera.*member = between_keys(frame, [member](const PathKey& key) { return key.camera.*member; });

@@ -19,7 +19,7 @@ double turn_between(const CameraSpec& a, const CameraSpec& b) {
 
 }  // namespace
 
-Exposure exposure_of(const std::function<Scene(double)>& at, int frame) {
+Exposure exposure_of(const std::function<Scene(double)>& at, int frame, bool varies) {
     Exposure shown(at(frame));
     const PictureSpec& picture = shown.scene.picture;
     if (picture.shutter == 0.0) return shown;
@@ -30,7 +30,7 @@ Exposure exposure_of(const std::function<Scene(double)>& at, int frame) {
         scene.camera.exposure_ev = shown.scene.camera.exposure_ev;  // of the mean
         if (!shown.sub_frames.empty()) {
             SubFrame& before = shown.sub_frames.back();
-            if (before.scene.camera == scene.camera && (!moves || before.scene.time == scene.time)) {
+            if (!varies && before.scene.camera == scene.camera && (!moves || before.scene.time == scene.time)) {
                 before.share += part;
                 continue;
             }

@@ -13,8 +13,8 @@
 namespace nullscope {
 
 // at: the scene at any place between frames. Sub-frames that are equal are one with all their share: what need not be drawn is not, and
-// where nothing moves there are none. Each costs a picture; they are drawn like any other, with more rays on edges.
-Exposure exposure_of(const std::function<Scene(double frame)>& at, int frame);
+// where nothing moves there are none. varies: more than camera and time change from frame to frame. Each costs a picture; they are drawn like any other, with more rays on edges.
+Exposure exposure_of(const std::function<Scene(double frame)>& at, int frame, bool varies = false);
 
 inline constexpr double kSmoothStep_px = 2.0 / 3.0;
 // How many sub-frames it takes for that, by the turn of the camera alone.

@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "numeric/gauss.h"
+#include <boost/math/quadrature/gauss.hpp>
+
 #include "reference/bodies.h"
 #include "reference/plane_stretch.h"
 #include "reference/ray_stretch.h"
@@ -13,6 +14,7 @@
 namespace nullscope::reference {
 namespace {
 
+using TenPlaces = boost::math::quadrature::gauss<double, 10>;
 constexpr double kCurveAbove = 0.01;  // of its radius: there curves of captured rays end
 constexpr double kSizeRatio = 2;      // of sizes at the ends of a piece: ten places leave 1e-15 of 1/u^2
 constexpr int kMostCurvePieces = 2000, kPieceHalvings = 100;
@@ -35,10 +37,10 @@ Sums rates(const StretchPlace& place) {
 Sums between(const RayStretch& stretch, double low, double high) {
     const double middle = 0.5 * (low + high), half = 0.5 * (high - low);
     Sums sums;
-    for (std::size_t i = 0; i < kTenNode.size(); ++i)
+    for (std::size_t i = 0; i < TenPlaces::abscissa().size(); ++i)
         for (const double side : {-1.0, 1.0}) {
-            const Sums rate = rates(stretch.at(middle + side * half * kTenNode[i]));
-            const double weight = half * kTenWeight[i];
+            const Sums rate = rates(stretch.at(middle + side * half * TenPlaces::abscissa()[i]));
+            const double weight = half * TenPlaces::weights()[i];
             sums += {weight * rate.affine, weight * rate.even, weight * rate.t};
         }
     return sums;

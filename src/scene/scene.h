@@ -315,9 +315,8 @@ struct PictureSpec {
     bool streamlines = false;  // likewise, a texture of lines
     // Axis of a linear polariser before the camera, rad from the picture's right towards up; unset: none.
     std::optional<double> polariser{};
-    double shutter =
-        0.0;  // of films: share of a frame's time for which light is gathered, [0, 1], about the frame's own time
-    int sub_frames = 16;  // of which its light is then the mean
+    double shutter = 0.0;  // of films: share of a frame's time that gathers light, [0, 1], about the frame's own
+    int sub_frames = 16;   // of which its light is then the mean
     friend bool operator==(const PictureSpec&, const PictureSpec&) = default;
 };
 
@@ -330,7 +329,8 @@ enum class PathTurn { kAngles, kShortest };
 struct PathKey {
     double frame = 0.0;
     CameraSpec camera;
-    double time = 0.0;  // later than Scene::time, r_s/c
+    double time = 0.0;             // later than Scene::time, r_s/c
+    std::vector<double> values{};  // of PathSpec::keyed, in Scene's units
     friend bool operator==(const PathKey&, const PathKey&) = default;
 };
 struct PathSpec {
@@ -339,11 +339,11 @@ struct PathSpec {
     int frames = 240;
     double rate = 24.0;                     // frames per second
     PathEasing easing = PathEasing::kNone;  // kKeys; kSmooth: from rest to rest (observer/path.h)
-    // kKeys: between keys yaw, pitch and roll are interpolated, or the camera turns about one axis in world axes; not in a zoom.
-    PathTurn turn = PathTurn::kAngles;
-    // kFall: proper time from the first frame to the last, r_s/c; 0: to the end of the worldline.
-    double duration = 0.0;
+    PathTurn turn = PathTurn::kAngles;  // kKeys: of yaw, pitch, roll, or about one axis in world axes; not in a zoom
+    double duration = 0.0;      // kFall: proper time from the first frame to the last, r_s/c; 0: to the worldline's end
     std::vector<PathKey> keys;  // kKeys: two or more, by ascending frame
+    std::vector<std::string> keyed;  // numbers of the scene that its keys set: "spacetime.spin", "ball[2].radius"
+    bool closed = false;             // kKeys: frame `frames` is the first again
     friend bool operator==(const PathSpec&, const PathSpec&) = default;
 };
 

@@ -23,6 +23,7 @@
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
 #include "scenefile/disc_orbit_check.h"
+#include "scenefile/path_values.h"
 #include "scenefile/projection_words.h"
 #include "scenefile/scene_value.h"
 #include "scenefile/sections.h"
@@ -176,15 +177,14 @@ Faults check_stereo(const Scene& scene) {
     if (all_round && camera.projection != Projection::kEquirectangular)
         return {{key, "all-round stereo needs one direction for each column", "projection = \"equirectangular\"", key}};
     const World world = world_of(scene.spacetime);
-    if (!world || !observer_of(*world, camera)) return {};
-    const Status there = check_eyes(*world, camera);
+    const Status there = world && observer_of(*world, camera) ? check_eyes(*world, camera) : Done{};
     return there ? Faults{} : one(there.error(), key);
 }
 
 Faults check_path(const Scene& scene) {
     if (!scene.path) return {};
-    Faults faults;
     const PathSpec& path = *scene.path;
+    Faults faults = closed_faults(path);
     const bool keys = path.kind == PathKind::kKeys;
     if (keys ? path.keys.size() < 2 : !path.keys.empty())
         faults.push_back({"path.key", keys ? "fewer than two keys, but kind is keys" : "keys, but kind is not keys",
@@ -342,8 +342,8 @@ void settle_defaults(Scene& scene, const GivenKeys& given) {
         scene.disc->emission == DiscEmission::kThermal && !given("disc.colour"))
         scene.disc->material.colour = {1, 1, 1};
     if (has_dumps(scene)) settle_dumps(scene.medium->grid);
-    if (scene.path && scene.path->kind == PathKind::kKeys && !given("path.frames") && !scene.path->keys.empty())
-        scene.path->frames = std::max(2, static_cast<int>(scene.path->keys.back().frame) + 1);
+    if (scene.path && scene.path->keys.size() > 1 && !given("path.frames"))
+        scene.path->frames = frames_of_keys(*scene.path);
 }
 
 std::vector<SceneFault> check_camera(const Scene& scene, const GivenKeys& given) {

@@ -9,9 +9,12 @@
 
 #include "base/atomic_file.h"
 #include "base/text.h"
+#include "observer/path.h"
 #include "scene/bodies.h"
 #include "scenefile/override_table.h"
 #include "scenefile/path_csv.h"
+#include "scenefile/path_set.h"
+#include "scenefile/path_values.h"
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_value.h"
@@ -96,6 +99,7 @@ private:
     // label: the section's, as messages call it: "ball[2]".
     void read_key(std::string_view section, const toml::key& name, const toml::node& node, std::string_view label);
     void read_path_keys(const toml::node& node);
+    void check_path_frames();
     void read_path_file();
     void report_unknown(std::string_view section, const toml::key& name);
     void report(int line, std::string_view name, std::string_view what, std::string_view allowed);
@@ -106,6 +110,7 @@ private:
     Scene scene_;
     fs::path path_file_;  // of path.file
     std::map<std::string, const MetricEntry*, std::less<>> metrics_ = default_metrics();
+    std::vector<int> path_lines_;  // of [[path.key]]
     const MetricEntry* metric_of(std::string_view section) const {
         const auto found = metrics_.find(section);
         return found != metrics_.end() ? found->second : nullptr;
@@ -229,8 +234,18 @@ void SceneReader::read_path_keys(const toml::node& node) {
     for (const toml::node& entry : *list) {
         const toml::table& table = *entry.as_table();
         PathKey key;
-        if (!scene_.path->keys.empty()) key = {scene_.path->keys.back().frame + 1.0, {}, scene_.path->keys.back().time};
+        if (!scene_.path->keys.empty())
+            key = {scene_.path->keys.back().frame + 1.0,
+                   {},
+                   scene_.path->keys.back().time,
+                   scene_.path->keys.back().values};
         for (const auto& [name, value] : table) {
+            if (const toml::table* set = value.as_table(); set != nullptr && name.str() == "set") {
+                for (const NamedValue& one : named_values(*set))
+                    if (const Status added = add_path_value(scene_, key, one, folders_); !added)
+                        report(one.line, "path.key.set." + one.name, added.error().what, added.error().allowed);
+                continue;
+            }
             const bool time = name.str() == "time";
             if (!time && name.str() != "frame") {
                 const bool zooms = find_key("zoom", name.str()) != nullptr;
@@ -252,12 +267,24 @@ void SceneReader::read_path_keys(const toml::node& node) {
         if (!scene_.path->keys.empty() && !(key.frame > scene_.path->keys.back().frame))
             report(here, "path.key.frame", fmt::format("{} is not after the key before", key.frame),
                    "frames that grow");
-        scene_.path->keys.push_back(key);
+        scene_.path->keys.push_back(key), path_lines_.push_back(here);
         for (const SceneFault& fault : check_camera(scene_, given_))
             if (reports_.empty()) report(here, fault.key, fault.what, fault.allowed);
     }
     scene_.camera = camera;
     lines_ = lines;
+}
+
+// At the last key before the frame that is wrong.
+void SceneReader::check_path_frames() {
+    if (!scene_.path || path_lines_.size() != scene_.path->keys.size()) return;
+    const auto fault = path_fault(scene_);
+    if (!fault) return;
+    const auto& keys = scene_.path->keys;
+    const auto after = std::ranges::upper_bound(keys, eased(*scene_.path, fault->frame), {}, &PathKey::frame);
+    const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - keys.begin(), 1)) - 1;
+    report(path_lines_[at], fault->key, fmt::format("in frame {} of the path: {}", fault->frame, fault->what),
+           fault->allowed);
 }
 
 // An error is of that file.
@@ -319,6 +346,7 @@ Result<Scene> SceneReader::read(const toml::table& root) {
         if (scene_.name.empty()) scene_.name = fs::path(label_).stem().string();
         if (reports_.empty() || path_file_.empty())  // else there are no keys, which is not what is wrong
             for (const SceneFault& fault : check_parts(scene_, given_)) report(fault);
+        if (reports_.empty()) check_path_frames();
     }
     if (reports_.empty()) return scene_;
     return without_controls(reports_.begin()->second);

@@ -59,6 +59,9 @@ std::vector<SceneLine> scene_lines(const Scene& scene) {
         const std::string label = fmt::format("path.key[{}]", i);
         lines.push_back({label + ".frame", fmt::format("{:.17g}", key.frame), {}});
         lines.push_back({label + ".time", fmt::format("{:.17g}", key.time), {}});
+        for (std::size_t k = 0; k < key.values.size(); ++k)
+            lines.push_back(
+                {fmt::format("{}.set.{}", label, scene.path->keyed[k]), fmt::format("{:.17g}", key.values[k]), {}});
         Scene there;
         there.camera = key.camera;
         add_section("camera", label, there);

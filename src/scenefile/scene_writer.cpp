@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "scene/projection.h"
+#include "scenefile/path_values.h"
 #include "scenefile/scene_check.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/sections.h"
@@ -202,6 +203,7 @@ private:
     void add_path_keys() {
         Scene before = scene_;
         double time_before = 0.0;
+        std::vector<double> values_before;
         for (const PathKey& key : scene_.path->keys) {
             Scene here = scene_;
             here.camera = key.camera;
@@ -212,9 +214,24 @@ private:
                 zoom = lines("zoom", here, before, false);
             }
             const std::string camera = lines("camera", here, before, false);
-            add("[[path.key]]", fmt::format("frame = {}\n{}{}{}", key.frame, time, camera, zoom));
-            before.camera = key.camera, time_before = key.time;
+            const std::string set = path_values(key, values_before);
+            add("[[path.key]]", fmt::format("frame = {}\n{}{}{}{}", key.frame, time, camera, zoom, set));
+            before.camera = key.camera, time_before = key.time, values_before = key.values;
         }
+    }
+
+    // Of the first key all.
+    std::string path_values(const PathKey& key, const std::vector<double>& before) const {
+        std::vector<std::string> words;
+        for (std::size_t i = 0; i < key.values.size(); ++i) {
+            const std::string& name = scene_.path->keyed[i];
+            const auto value = path_value(scene_, name);
+            if (!value || (!before.empty() && before[i] == key.values[i])) continue;
+            KeyValue number;
+            number.number = key.values[i];
+            words.push_back(fmt::format("{} = {}", toml_string(name), value_text(value->key, number, as_)));
+        }
+        return words.empty() ? "" : fmt::format("set = {{ {} }}\n", fmt::join(words, ", "));
     }
 
     const Scene& scene_;
@@ -224,11 +241,18 @@ private:
     std::string text_;
 };
 
+// In quotes where it is no bare word.
+std::string inline_key(std::string_view key) {
+    const auto bare = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
+    return std::ranges::all_of(key, bare) ? std::string(key) : toml_string(std::string(key));
+}
+
 // As inline tables have it; numbers in the fewest digits that read back as the same, on every platform.
 std::string inline_text(const toml::node& node) {
     std::vector<std::string> parts;
     if (const toml::table* table = node.as_table()) {
-        for (const auto& [key, value] : *table) parts.push_back(fmt::format("{} = {}", key.str(), inline_text(value)));
+        for (const auto& [key, value] : *table)
+            parts.push_back(fmt::format("{} = {}", inline_key(key.str()), inline_text(value)));
         return fmt::format("{{ {} }}", fmt::join(parts, ", "));
     }
     if (const toml::array* array = node.as_array()) {

@@ -69,9 +69,16 @@ Section medium_row() {
     return once("medium", "Matter that emits and absorbs light along rays.", [](auto& s) { return &s.medium; });
 }
 
+bool path_has_keys(const Scene& s) { return s.path->kind == PathKind::kKeys; }
+
+constexpr SceneKey kClosed[] = {on_off_key(
+    "path", "closed", "off",
+    "For kind = \"keys\": after path.frames frames the path is where it began, and joins smoothly.",
+    [](auto& s) { return &s.path->closed; }, path_has_keys, "kind = \"keys\"")};
+
 Section path_row() {
     Section row = once("path", "Where the camera goes, frame by frame.", [](auto& s) { return &s.path; });
-    row.inner = "key";
+    row.inner = "key", row.keys = kClosed;
     return row;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "scenefile/path_values.h"
+
 namespace nullscope::viewer {
 namespace {
 
@@ -23,6 +25,7 @@ CameraSpec between(const CameraSpec& a, const CameraSpec& b, double t) {
 void Timeline::follow(const Scene& scene, bool scene_changed) {
     if (!scene_changed && of_ == scene.path && spacetime_ == scene.spacetime) return;
     if (scene_changed || !of_ || !scene.path) start_ = scene.camera, time_ = scene.time, frame = 0.0, plays_ = false;
+    if (scene_changed || !of_ || !scene.path || of_->keyed != scene.path->keyed) values_ = path_values_of(scene);
     of_ = scene.path, spacetime_ = scene.spacetime;
     path_.reset();
     if (!scene.path) return;
@@ -39,16 +42,17 @@ void Timeline::play(bool on) {
 
 void Timeline::seek(Scene& scene, double to) {
     if (!path_) return;
-    frame = std::clamp(to, 0.0, frames() - 1.0);
+    frame = std::clamp(to, 0.0, path_->last());
     const CameraSpec now = std::exchange(scene.camera, path_->at(frame));
     scene.camera.width = now.width, scene.camera.height = now.height;
     scene.time = time_ + path_->clock(frame);
+    set_path_values(scene, path_->values(frame));
     shown_ = scene.camera;
 }
 
 bool Timeline::step(Scene& scene, double dt_s) {
     if (!plays_ || !path_) return false;
-    const double last = frames() - 1.0;
+    const double last = path_->last();
     double next = frame + dt_s * speed * scene.path->rate;
     if (next > last && loops) next = std::fmod(next, last);
     plays_ = loops || next < last;
@@ -64,6 +68,7 @@ Scene Timeline::to_save(Scene scene) const {
     const CameraSpec now = std::exchange(scene.camera, start_);
     scene.camera.width = now.width, scene.camera.height = now.height;
     scene.time = time_;
+    set_path_values(scene, values_);
     return scene;
 }
 
@@ -100,8 +105,10 @@ bool Timeline::stop_record(Scene& scene) {
         while (after + 1 != samples.end() && after->at_s < at_s) ++after;
         const Sample& from = *(after - 1);
         const double t = std::clamp((at_s - from.at_s) / std::max(after->at_s - from.at_s, 1e-9), 0.0, 1.0);
-        path.keys.push_back({static_cast<double>(at), between(from.camera, after->camera, t),
-                             std::lerp(from.time, after->time, t) - samples.front().time});
+        path.keys.push_back({static_cast<double>(at),
+                             between(from.camera, after->camera, t),
+                             std::lerp(from.time, after->time, t) - samples.front().time,
+                             {}});
     }
     scene.time = samples.front().time;
     scene.camera = samples.front().camera;
@@ -110,10 +117,10 @@ bool Timeline::stop_record(Scene& scene) {
 }
 
 bool Timeline::set_key(Scene& scene) {
-    PathKey key{std::round(frame), scene.camera, scene.time - time_};
+    PathKey key{std::round(frame), scene.camera, scene.time - time_, path_values_of(scene)};
     if (!scene.path) {
         scene.path.emplace().kind = PathKind::kKeys;
-        scene.path->keys = {{0.0, key.camera, 0.0}, {scene.path->frames - 1.0, key.camera, 0.0}};
+        scene.path->keys = {{0.0, key.camera, 0.0, {}}, {scene.path->frames - 1.0, key.camera, 0.0, {}}};
         return true;
     }
     auto& keys = scene.path->keys;

@@ -53,6 +53,7 @@ private:
     std::optional<PathSpec> of_;  // that path_ was made of
     SpacetimeSpec spacetime_;     // likewise
     CameraSpec start_, shown_;    // as the scene had it; as seek wrote it last
+    std::vector<double> values_;  // that path_'s keys set, as the scene had them
     double time_ = 0.0;           // Scene::time of frame 0
     bool plays_ = false, records_ = false;
     std::vector<Sample> samples_;

@@ -96,7 +96,7 @@ bool TimelinePanel::draw_buttons(ViewState& view, Timeline& timeline) {
     if (timeline.has_path()) {
         if (button("Film...", "Draws the path as a film, or as frames, while the viewer goes on."))
             ImGui::OpenPopup("##film");
-        if (!view.scene.path->keys.empty()) {
+        if (!view.scene.path->keys.empty() && !view.scene.path->closed) {
             bool smooth = view.scene.path->easing == PathEasing::kSmooth;
             next_to(button_width("Ease") + ImGui::GetFrameHeight());
             changed |= ImGui::Checkbox("Ease", &smooth);

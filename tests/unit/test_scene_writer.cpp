@@ -96,6 +96,30 @@ TEST_CASE("scene writer: a field of view that no number of degrees gives, with a
     }
 }
 
+TEST_CASE("scene writer: numbers that a path sets, and that it is closed") {
+    const char* text =
+        "[spacetime]\nmetric = \"kerr\"\n[disc]\n[sky]\nyaw = 3\n[[ball]]\n[[ball]]\nposition = [9, 0, "
+        "0]\n[path]\nkind = \"keys\"\n"
+        "closed = \"on\"\n[[path.key]]\nset = { spacetime.spin = -0.5 }\n[[path.key]]\nframe = 9\n"
+        "set = { \"spacetime.spin\" = 0.1, \"ball[2].radius\" = 0.75, \"sky.yaw\" = 30.1 }\n[[path.key]]\nframe = 20\n";
+    const auto scene = parse_scene(text, "mine.toml", {});
+    REQUIRE(scene);
+    const PathSpec& path = *scene->path;
+    CHECK(path.closed);
+    CHECK(path.frames == 31);
+    CHECK(path.keyed == std::vector<std::string>{"spacetime.spin", "ball[2].radius", "sky.yaw"});
+    CHECK(path.keys[0].values[0] == -0.5);
+    CHECK(path.keys[0].values[1] ==
+          std::get<BallSpec>(scene->bodies[1].shape).radius);  // what no key has said yet is the scene's
+    CHECK(path.keys[2].values == path.keys[1].values);
+    for (const std::string& written :
+         {scene_file_text(*scene, {}), exact_scene_text(*scene, {}), scene_line(*scene) + "\n"}) {
+        const auto again = is_scene_line(written) ? scene_of_line(written) : parse_scene(written, "mine.toml", {});
+        REQUIRE(again);
+        CHECK(again->path == scene->path);
+    }
+}
+
 TEST_CASE("scene writer: what is the default is not written") {
     Scene scene;
     scene.name = "Nothing \"new\"";

@@ -131,4 +131,29 @@ TEST_CASE("timeline: keys are set, replaced and deleted; a path is of one observ
     CHECK_FALSE(timeline.stop_record(scene));  // too short
 }
 
+TEST_CASE("timeline: numbers that the keys set are the scene's in each frame, and its own again when it is saved") {
+    auto read = parse_scene(
+        "[spacetime]\nmetric = \"kerr\"\nspin = 0.2\n[path]\nkind = \"keys\"\nclosed = \"on\"\nframes = "
+        "20\n[[path.key]]\n"
+        "set = { spacetime.spin = -0.5 }\n[[path.key]]\nframe = 10\nphi = 90\nset = { spacetime.spin = 0.5 }\n",
+        "mine.toml", {});
+    REQUIRE(read);
+    Scene scene = *read;
+    Timeline timeline;
+    timeline.follow(scene, true);
+    const auto spin_at = [&](double frame) {
+        timeline.seek(scene, frame);
+        timeline.follow(scene, false);  // as the viewer does after each change
+        return scene.spacetime.parameters.at("spin");
+    };
+    CHECK(spin_at(0) == -0.5);
+    CHECK(spin_at(10) == 0.5);
+    CHECK(std::fabs(spin_at(15)) < 1e-12);
+    CHECK(spin_at(20) == doctest::Approx(-0.5));  // where it begins again
+    spin_at(7);
+    const Scene saved = timeline.to_save(scene);
+    CHECK(saved.spacetime.parameters.at("spin") == 0.2);
+    CHECK(saved.path == read->path);
+}
+
 }  // namespace
