@@ -35,9 +35,10 @@ Status add_path_value(Scene& scene, PathKey& key, const NamedValue& one, const S
     TRY(value, path_value(scene, one.name));
     const auto number = check_value(value->key, *one.node, folders);
     if (!number) return bad_input(number.error().what, allowed_text(value->key));
-    const auto place = std::ranges::find(path.keyed, one.name);
-    if (place != path.keyed.end()) {
-        key.values[static_cast<std::size_t>(place - path.keyed.begin())] = number->number;
+    const auto place = std::ranges::lower_bound(path.keyed, one.name);
+    const auto at = place - path.keyed.begin();
+    if (place != path.keyed.end() && *place == one.name) {
+        key.values[static_cast<std::size_t>(at)] = number->number;
         return Done{};
     }
     if (path.keyed.size() >= kMostKeyed)
@@ -45,8 +46,9 @@ Status add_path_value(Scene& scene, PathKey& key, const NamedValue& one, const S
     const auto own = number_of(scene, *value);
     if (!own && !path.keys.empty())
         return bad_input("the scene has no value for the keys before", "a value in [[path.key]] from the first on");
-    for (PathKey& earlier : path.keys) earlier.values.push_back(*own);
-    path.keyed.push_back(one.name), key.values.push_back(number->number);
+    for (PathKey& earlier : path.keys) earlier.values.insert(earlier.values.begin() + at, *own);
+    key.values.insert(key.values.begin() + at, number->number);
+    path.keyed.insert(place, one.name);
     return Done{};
 }
 

@@ -18,7 +18,7 @@ struct NamedValue {
 };
 std::vector<NamedValue> named_values(const toml::table& table);
 
-// To a key that scene.path does not have yet. A name that no key has had is the scene's number in those before. Errors, without file and line: as
+// To a key that scene.path does not have yet; names are in the order of the alphabet. A name that no key has had is the scene's number in those before. Errors, without file and line: as
 // path_value()'s, another kind, out of range, one name too many.
 Status add_path_value(Scene& scene, PathKey& key, const NamedValue& value, const SceneFolders& folders);
 

@@ -107,9 +107,9 @@ TEST_CASE("scene writer: numbers that a path sets, and that it is closed") {
     const PathSpec& path = *scene->path;
     CHECK(path.closed);
     CHECK(path.frames == 31);
-    CHECK(path.keyed == std::vector<std::string>{"spacetime.spin", "ball[2].radius", "sky.yaw"});
-    CHECK(path.keys[0].values[0] == -0.5);
-    CHECK(path.keys[0].values[1] ==
+    CHECK(path.keyed == std::vector<std::string>{"ball[2].radius", "sky.yaw", "spacetime.spin"});
+    CHECK(path.keys[0].values[2] == -0.5);
+    CHECK(path.keys[0].values[0] ==
           std::get<BallSpec>(scene->bodies[1].shape).radius);  // what no key has said yet is the scene's
     CHECK(path.keys[2].values == path.keys[1].values);
     for (const std::string& written :
