@@ -28,7 +28,7 @@ FRAMES = {}
 
 WIDTH, HEIGHT = 480, 270     # px of a picture
 SAMPLES = 3                  # rays along a side of a pixel
-QUALITY = 81                 # of the JPEG
+QUALITY = 78                 # of the JPEG
 MOST_BYTES = 2_000_000       # all pictures together
 COST_SIZE, COST_FRAMES = "1280x720", 9
 ERROR_SIZE = "160x90"
