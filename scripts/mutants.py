@@ -66,7 +66,7 @@ MUTANTS = [Mutant(*row) for row in [
      "#define DISC_MOST_CROSSINGS 12", "#define DISC_MOST_CROSSINGS 2", HARD),
     ("first-crossing", "the first crossing dropped", "shaders/planar/disc_crossing.glsl",
      ">= trace.s ? 0 : 1;", ">= trace.s ? 1 : 1;", HARD),
-    ("order-number", "image orders counted in quarter turns", "shaders/stage/raydata.frag",
+    ("order-number", "image orders counted in quarter turns", "shaders/stage/ray_texels.glsl",
      "floor(data.angle * 0.31830988618379067154)", "floor(data.angle * 0.63661977236758134308)", HARD),
     ("doppler", "the frequency without the motion's part", "shaders/planar/trace.glsl",
      "frame.radial.w * trace.doppler / energy_at", "frame.radial.w / energy_at", HARD),

@@ -1,5 +1,6 @@
 // From linear light to the display: exposure, a tone curve, sRGB encoding.
 #ifdef EFFECT_DITHER
+#include "shared/fragment_at.glsl"
 #include "shared/frame.glsl"
 #endif
 
@@ -50,7 +51,7 @@ vec3 display_encode(vec3 linear, float exposure) {
 #endif
     c = srgb_encode(clamp(c, 0.0, 1.0));
 #ifdef EFFECT_DITHER
-    c += dither_noise(gl_FragCoord.xy + frame.dither.xy);
+    c += dither_noise(fragment_at() + frame.dither.xy);
 #endif
     return c;
 }

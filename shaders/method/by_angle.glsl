@@ -4,6 +4,7 @@
 #include "core/sweep.glsl"
 #ifdef NEEDS_FOOTPRINT
 #include "core/trig.glsl"
+#include "shared/quad_step.glsl"
 #endif
 
 Sweep sweep_by_angle(float phi, float s, float c) {
@@ -12,8 +13,9 @@ Sweep sweep_by_angle(float phi, float s, float c) {
     sweep.ratio = s > 1.0e-6 ? sin(phi) / s : phi / max(s, 1.0e-30);
 #ifdef NEEDS_FOOTPRINT
     float theta = arc_tangent2(s, c);
-    vec2 phi_step = vec2(dFdx(phi), dFdy(phi));
-    vec2 theta_step = vec2(dFdx(theta), dFdy(theta));
+    QuadStep beside = quad_step(vec4(phi, theta, 0.0, 0.0));
+    vec2 phi_step = vec2(beside.along.x, beside.across.x);
+    vec2 theta_step = vec2(beside.along.y, beside.across.y);
     sweep.along = sqrt(dot(phi_step, phi_step) / max(dot(theta_step, theta_step), 1.0e-20));
 #else
     sweep.along = 1.0;

@@ -2,6 +2,7 @@
 #ifdef EFFECT_DISC
 #ifdef NEEDS_FOOTPRINT
 #include "effect/sampling.glsl"
+#include "shared/quad_step.glsl"
 #endif
 #include "mino/segment.glsl"
 #include "object/disc_rim.glsl"
@@ -128,12 +129,11 @@ KeptCrossings kept_with(KeptCrossings kept, SpinRay ray, SpinStep at, bool ours)
 // straight.
 DiscCrossing kept_footprint(KeptCrossings kept, int k, DiscCrossing crossing, float pixel_angle) {
     float there = kept_more(kept, k) ? crossing.number : 0.0;
-    float edge = abs(dFdx(there)) + abs(dFdy(there));
+    QuadStep beside = quad_step(vec4(crossing.place, there, 0.0));
+    float edge = abs(beside.along.z) + abs(beside.across.z);
     float side = pixel_angle * (crossing.r + 1.0 / frame.shift.y);
-    vec2 along = dFdx(crossing.place) * sampling_share();
-    vec2 across = dFdy(crossing.place) * sampling_share();
-    crossing.along = edge == 0.0 ? along : vec2(side, 0.0);
-    crossing.across = edge == 0.0 ? across : vec2(0.0, side);
+    crossing.along = edge == 0.0 ? beside.along.xy * sampling_share() : vec2(side, 0.0);
+    crossing.across = edge == 0.0 ? beside.across.xy * sampling_share() : vec2(0.0, side);
     return crossing;
 }
 

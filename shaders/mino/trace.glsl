@@ -6,6 +6,7 @@
 #ifdef NEEDS_FOOTPRINT
 #include "core/pixel_sides.glsl"
 #include "effect/sampling.glsl"
+#include "shared/quad_step.glsl"
 #endif
 #include "core/trig.glsl"
 #include "mino/kept_crossings.glsl"
@@ -88,8 +89,9 @@ float sky_travel_time(SpinState sky) { return 0.0; }
 
 #ifdef NEEDS_FOOTPRINT
 Trace trace_sides(Trace trace) {
-    trace.sky_sides.along = dFdx(trace.sky) * sampling_share();
-    trace.sky_sides.across = dFdy(trace.sky) * sampling_share();
+    QuadStep sky = quad_step(vec4(trace.sky, 0.0));
+    trace.sky_sides.along = sky.along.xyz * sampling_share();
+    trace.sky_sides.across = sky.across.xyz * sampling_share();
     vec2 stretched = sides_stretch(trace.sky_sides, trace.pixel_angle);
     trace.stretch_along = stretched.x;
     trace.stretch_across = stretched.y;
@@ -116,11 +118,11 @@ Trace trace_along(Trace trace, SpinRay ray, vec3 n) {
 #ifdef NEEDS_PLACE
 #ifdef NEEDS_FOOTPRINT
 Trace trace_solid_sides(Trace trace, float way) {
-    trace.solid_sides.along = dFdx(trace.solid.place.at) * sampling_share();
-    trace.solid_sides.across = dFdy(trace.solid.place.at) * sampling_share();
-    float met = float(trace.solid.object);
+    QuadStep solid = quad_step(vec4(trace.solid.place.at, float(trace.solid.object)));
+    trace.solid_sides.along = solid.along.xyz * sampling_share();
+    trace.solid_sides.across = solid.across.xyz * sampling_share();
     float side = trace.pixel_angle * way;
-    if (abs(dFdx(met)) + abs(dFdy(met)) > 0.0) {   // straight light, across it
+    if (abs(solid.along.w) + abs(solid.across.w) > 0.0) {   // straight light, across it
         vec3 ahead = normalize(trace.solid.place.velocity);
         trace.solid_sides.along = side * normalize(cross(ahead, abs(ahead.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
         trace.solid_sides.across = cross(trace.solid_sides.along, ahead);

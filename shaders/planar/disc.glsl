@@ -6,6 +6,9 @@
 #include "planar/trace.glsl"
 #ifdef DISC_IS_THIN
 #include "planar/disc_thin.glsl"
+#ifdef EFFECT_REFINE
+#include "shared/fragment_at.glsl"
+#endif
 #endif
 #include "shared/frame.glsl"
 
@@ -45,7 +48,7 @@ float path_way(Trace trace) {
     float way = disc_way(trace, meeting);
 #ifdef DISC_IS_THIN
     // All pixels that a thin ring may cover differ from their neighbours: it is one colour only while a pixel has one ray.
-    ivec2 place = ivec2(gl_FragCoord.xy);
+    ivec2 place = ivec2(fragment_at());
     way = disc_thin_near(trace, meeting) ? 1.0 + float((place.x + place.y) % 2) : way;
 #endif
     return way;

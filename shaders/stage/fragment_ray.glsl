@@ -3,6 +3,7 @@
 #ifdef EFFECT_WARP
 #include "effect/warp.glsl"
 #endif
+#include "shared/fragment_at.glsl"
 #include "stage/pixel_data.glsl"
 
 struct FragmentRay {
@@ -11,7 +12,7 @@ struct FragmentRay {
 };
 
 FragmentRay fragment_ray() {
-    FragmentRay ray = FragmentRay(picture_place(gl_FragCoord.xy), true);
+    FragmentRay ray = FragmentRay(picture_place(fragment_at()), true);
 #ifdef EFFECT_WARP
     WarpPlace seen = warp_place(ray.pixel);
     pixel_share = seen.share;

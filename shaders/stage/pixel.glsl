@@ -13,6 +13,7 @@
 #ifdef LAYERS
 #include "stage/layer.glsl"
 #endif
+#include "shared/fragment_at.glsl"
 #include "shared/frame.glsl"
 
 #ifdef NEEDS_SAMPLING
@@ -23,7 +24,7 @@
 flat in highp vec2 patch_shift;   // stage/tile_point.glsl
 
 // Where a fragment's ray lies in the picture that is as fine as the rays of a pixel, from its lower left corner.
-vec2 fragment_rays() { return gl_FragCoord.xy + patch_shift; }
+vec2 fragment_rays() { return fragment_at() + patch_shift; }
 #endif
 
 // The middle of a fragment's pixel, in that picture.
@@ -31,7 +32,7 @@ vec2 fragment_middle() {
 #ifdef EFFECT_REFINE
     return (floor(fragment_rays() * sampling_px()) + 0.5) * sampling_rays();
 #else
-    return gl_FragCoord.xy * sampling_rays();
+    return fragment_at() * sampling_rays();
 #endif
 }
 
@@ -47,13 +48,13 @@ vec2 fragment_place(int number) {
 #else
     int side = int(frame.sampling.z);
     vec2 cell = vec2(float(number % side), float(number / side));
-    vec2 first = (gl_FragCoord.xy - 0.5) * frame.sampling.z;
+    vec2 first = (fragment_at() - 0.5) * frame.sampling.z;
 #endif
     vec2 within = frame.sampling.z < SAMPLING_SHEARED ? vec2(0.0) : (cell.yx + 0.5) * sampling_px() - 0.5;
     // In this order parts of a picture have the same rounding (render/picture_bands.h).
     return picture_place(first + 0.5) + (cell + within) * vec2(frame.sight.z, 1.0);
 #else
-    return picture_place(gl_FragCoord.xy);
+    return picture_place(fragment_at());
 #endif
 }
 

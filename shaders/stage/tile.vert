@@ -1,4 +1,5 @@
 // A tile of the picture as a point, if it is one of those that a stage draws.
+#include "stage/tile_drawn.glsl"
 #include "stage/tile_kind.glsl"
 #include "stage/tile_point.glsl"
 
@@ -14,20 +15,11 @@ void main() {
     ivec2 tiles = textureSize(tile_texture, 0);
     ivec2 tile = tile_of_point(gl_VertexID, tiles);
     vec4 set = texelFetch(tile_texture, tile, 0);
-    float most = max(max(set.x, set.y), max(set.z, set.w));
 #ifdef TILES_WITH_BODIES
     tile_set = set;
-    bool drawn = most > 0.0;
-#endif
-#ifdef TILES_OF_SKY
-    bool drawn = most == TILE_SKY;
 #endif
 #ifdef TILES_OF_FULL_DISC
-    tile_number = TILE_FULL - most;
-    bool drawn = most <= TILE_FULL;
+    tile_number = TILE_FULL - tile_most(set);
 #endif
-#ifdef TILES_OF_THE_REST
-    bool drawn = most == 0.0;
-#endif
-    place_point(gl_VertexID, tiles, drawn);
+    place_point(gl_VertexID, tiles, tile_drawn(set));
 }

@@ -318,7 +318,7 @@ TEST_CASE("shader source: a list of rays has crossings where they are asked for,
             const std::string text = shader_source(Stage::kRayList, set, Output::kLinear, {}, metric).fragment;
             CHECK((text.find("listed_crossing(") != std::string::npos) == crossings);
             CHECK((text.find("disc_") != std::string::npos) == crossings);
-            for (const char* word : {"sky_texture", "dFdx", "disc_texture", "gl_FragCoord.xy"})
+            for (const char* word : {"sky_texture", "dFdx", "disc_texture", "fragment_pixel("})
                 CHECK(text.find(word) == std::string::npos);
             // Only here a ray has numbers of its own.
             CHECK(text.find("FrameData every_ray;") != std::string::npos);

@@ -1,0 +1,14 @@
+// By compute: a group of threads draws a tile of 8 x 8 pixels. Blocks of 2 x 2, and of 4 x 4, are threads in a row.
+#define GROUP_SIDE 8
+#define GROUP_THREADS 64
+
+layout(local_size_x = GROUP_THREADS) in;
+
+uniform int tile_row;   // of tiles, counted from below: the first that is drawn
+
+ivec2 thread_tile() { return ivec2(gl_WorkGroupID.xy) + ivec2(0, tile_row); }
+
+ivec2 thread_pixel() {
+    int i = int(gl_LocalInvocationIndex);
+    return GROUP_SIDE * thread_tile() + ivec2((i & 1) | (i >> 1 & 2) | (i >> 2 & 4), (i >> 1 & 1) | (i >> 2 & 2) | (i >> 3 & 4));
+}

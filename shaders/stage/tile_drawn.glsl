@@ -1,0 +1,19 @@
+// Is a tile of the picture, by its texel (stage/tiles.frag), one of those that a stage draws?
+#include "stage/tile_kind.glsl"
+
+float tile_most(vec4 set) { return max(max(set.x, set.y), max(set.z, set.w)); }
+
+bool tile_drawn(vec4 set) {
+#ifdef TILES_WITH_BODIES
+    return tile_most(set) > 0.0;
+#endif
+#ifdef TILES_OF_SKY
+    return tile_most(set) == TILE_SKY;
+#endif
+#ifdef TILES_OF_FULL_DISC
+    return tile_most(set) <= TILE_FULL;
+#endif
+#ifdef TILES_OF_THE_REST
+    return tile_most(set) == 0.0;
+#endif
+}
