@@ -21,7 +21,11 @@
 #endif
 
 #ifdef EFFECT_REFINE
+#ifdef BY_COMPUTE
+const vec2 patch_shift = vec2(0.0);   // pixels with more rays are drawn by fragments
+#else
 flat in highp vec2 patch_shift;   // stage/tile_point.glsl
+#endif
 
 // Where a fragment's ray lies in the picture that is as fine as the rays of a pixel, from its lower left corner.
 vec2 fragment_rays() { return fragment_at() + patch_shift; }

@@ -27,7 +27,7 @@ vec4 traced_pixel() {
     march_last = bodies.last;
 #endif
 #endif
-#ifdef NEEDS_SAMPLING
+#ifdef EFFECT_SAMPLES
     int number = sampling_first();
     int left = sampling_count();
     vec4 sum = vec4(0.0);

@@ -9,6 +9,8 @@
 #include <map>
 #include <sstream>
 
+#include "gl/driver_log.h"
+
 namespace nullscope::gl {
 namespace {
 
@@ -24,16 +26,6 @@ constexpr SkyTexelKind sky_texel_kind(bool halves) {
 std::string text_of(GLenum name) {
     const GLubyte* text = glGetString(name);
     return text == nullptr ? "" : reinterpret_cast<const char*>(text);
-}
-
-// What the driver says of a shader or a program.
-template <class Length, class Log>
-std::string log_of(GLuint id, Length get, Log get_log) {
-    GLint length = 0;
-    get(id, GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
-    get_log(id, length, nullptr, log.data());
-    return log.c_str();
 }
 
 GLuint begin_shader(GLenum kind, const std::string& source) {

@@ -16,9 +16,7 @@ public:
     RayListTarget(const ListedCrossings& asked, bool crossings) : asked_(asked), crossings_(crossings) {}
     // At most kRaysADraw rays; what the program reads.
     gl::Texture begin(std::span<const RayNumbers> rays);
-    unsigned framebuffer() const { return target_.framebuffer.id(); }
-    int width() const { return target_.width; }
-    int height() const { return target_.height; }
+    const gl::Target& target() const { return target_; }
     int rows() const;  // that hold a ray
     // bodies: their numbers (scene/ray.h), in the shader's order. found: as many as there were rays.
     void read(const std::vector<int>& bodies, ListedRay* found) const;

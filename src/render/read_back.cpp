@@ -116,7 +116,8 @@ RayFrame Renderer::ray_data(int row_step) {
 }
 
 void Renderer::list_rays(const ListedCrossings& asked, std::span<const RayNumbers> rays, ListedRay* found) {
-    const gl::Program& built = program(Stage::kRayList, Output::kLinear);
+    const gl::Program* computed = compute_program(Stage::kRayList, Output::kLinear, gl::Format::kRgba32F);
+    const gl::Program& built = computed != nullptr ? *computed : program(Stage::kRayList, Output::kLinear);
     gl::set_integer(built, "listed_first", asked.first);
     gl::set_integer(built, "listed_most", asked.most);
     RayListTarget target(asked, tables_.effects().contains(Effect::kDisc));
@@ -125,7 +126,11 @@ void Renderer::list_rays(const ListedCrossings& asked, std::span<const RayNumber
         const gl::Texture numbers = target.begin(now);
         bind_inputs();
         gl::bind_texture_2d(kListUnit, numbers);
-        gl::draw_rows(built, empty_, target.framebuffer(), target.width(), target.height(), 0, target.rows());
+        if (computed != nullptr)
+            gl::compute_rows(built, target.target(), kTileSide, 0, target.rows());
+        else
+            gl::draw_rows(built, empty_, target.target().framebuffer.id(), target.target().width,
+                          target.target().height, 0, target.rows());
         target.read(shader_numbers(), found);
         rest = rest.subspan(now.size()), found += now.size();
     }
@@ -142,9 +147,14 @@ std::vector<int> Renderer::shader_numbers() const {
 RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
     const int w = target.width, h = target.height, rows = (h - 1) / row_step + 1;
     inputs_.load_ends(tables_);
-    const gl::Program& built = program(Stage::kRayData, Output::kLinear);
+    // A group of threads has several rows.
+    const gl::Program* computed =
+        row_step == 1 ? compute_program(Stage::kRayData, Output::kLinear, gl::Format::kRgba32F) : nullptr;
+    const gl::Program& built = computed != nullptr ? *computed : program(Stage::kRayData, Output::kLinear);
     bind_inputs();
-    if (row_step == 1)
+    if (computed != nullptr)
+        gl::compute_rows(built, target, kTileSide, 0, h);
+    else if (row_step == 1)
         gl::draw_fullscreen(built, empty_, target.framebuffer.id(), w, h);
     else
         for (int y = 0; y < h; y += row_step)

@@ -33,7 +33,11 @@ constexpr std::pair<const char*, int> kPassSamplers[] = {{"source_texture", kSou
 
 }  // namespace
 
-std::vector<std::string> Renderer::take_notes() { return std::exchange(notes_, {}); }
+std::vector<std::string> Renderer::take_notes() {
+    if (const std::string why = computed_.take_refusal(); !why.empty())
+        notes_.push_back(fmt::format("fragment shaders draw in the place of compute shaders: {}", why));
+    return std::exchange(notes_, {});
+}
 
 Renderer::Renderer()
     : info_(gl::info()),
@@ -80,12 +84,36 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     gl::Program made = coming_ && coming_->first == key ? std::move(std::exchange(coming_, {})->second)
                                                         : gl::begin_program(source.vertex, source.fragment);
     gl::finish_program(made, source.vertex, source.fragment);
-    UniformBlocks::name(made);
-    FrameInputs::name(made);
-    for (const auto& [sampler, unit] : kPassSamplers) gl::set_integer(made, sampler, unit);
-    for (int i = 0; const char* sampler : PictureTiles::kSamplers) gl::set_integer(made, sampler, kTileUnit + i++);
-    for (int i = 0; const char* sampler : LightLattice::kSamplers) gl::set_integer(made, sampler, kTileUnit + i++);
+    name_inputs(made);
     return programs_.emplace(key, std::move(made)).first->second;
+}
+
+void Renderer::name_inputs(const gl::Program& program) {
+    UniformBlocks::name(program);
+    FrameInputs::name(program);
+    for (const auto& [sampler, unit] : kPassSamplers) gl::set_integer(program, sampler, unit);
+    for (int i = 0; const char* sampler : PictureTiles::kSamplers) gl::set_integer(program, sampler, kTileUnit + i++);
+    for (int i = 0; const char* sampler : LightLattice::kSamplers) gl::set_integer(program, sampler, kTileUnit + i++);
+}
+
+const gl::Program* Renderer::compute_program(Stage stage, Output output, gl::Format stored) {
+    if (!computed_.wants(stage)) return nullptr;
+    return computed_.program(
+        program_key(stage, output), stored,
+        [&] {
+            return compute_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
+        },
+        name_inputs);
+}
+
+// false: it is left to fragments.
+bool Renderer::compute_picture(const Pass& pass, unsigned picture, int first, int last, const gl::Layer& layer) {
+    const auto image = computed_.wants(pass.stage) ? gl::stored_image(picture) : std::nullopt;
+    const gl::Program* built = image ? compute_program(pass.stage, pass.output, image->format) : nullptr;
+    if (built == nullptr) return false;
+    if (pass.output == Output::kLayers) gl::set_integer(*built, "layer_shown", static_cast<int>(layer_));
+    gl::compute_rows(*built, *image, kTileSide, first, last, layer);
+    return true;
 }
 
 bool Renderer::is_compiled(Stage stage, Output output) {
@@ -216,6 +244,7 @@ const gl::Program& Renderer::picture_program(const Pass& pass) {
 
 void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
                             const gl::Layer& layer) {
+    if (compute_picture(pass, picture, first, last, layer)) return;
     const gl::Program& built = picture_program(pass);
     if (is_in_tiles(pass.stage))
         gl::draw_tiles(built, empty_, picture, width, height, kTileSide, first, last, layer);

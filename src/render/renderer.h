@@ -13,6 +13,7 @@
 #include "gl/gl.h"
 #include "image/image.h"
 #include "render/bloom.h"
+#include "render/compute_picture.h"
 #include "render/frame_inputs.h"
 #include "render/frame_tables.h"
 #include "render/light_lattice.h"
@@ -68,6 +69,11 @@ public:
     // Whether the vertex shader hands on the frame's numbers (shaderlib/flat_frame.h): the same picture. As made: where the driver is llvmpipe,
     // whose frames cost less by it. Before the first picture.
     void flatten_frame(bool wanted) { flat_frame_ = wanted; }
+
+    // Whether pictures and rays are traced by compute shaders, where a stage and the driver have them (shaderlib's computes(), gl::computes()):
+    // the same functions, the same light. Else by fragments, and take_notes() says why.
+    void compute(bool wanted) { computed_.want(wanted); }
+    const ComputePicture& computed() const { return computed_; }
 
     // Whether pixels on edges get more rays, where the scene calls for it; the programs are the same.
     void refine(bool wanted) { refining_ = wanted; }
@@ -136,10 +142,13 @@ public:
     std::vector<TextureLine> textures() const;
 
 private:
-    using ProgramKey = std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>;
+    using ProgramKey = ComputePicture::Key;
     ProgramKey program_key(Stage stage, Output output) const;
     ShaderSource source_of(Stage stage, Output output) const;
     const gl::Program& program(Stage stage, Output output);
+    static void name_inputs(const gl::Program& program);
+    const gl::Program* compute_program(Stage stage, Output output, gl::Format stored);
+    bool compute_picture(const Pass& pass, unsigned picture, int first, int last, const gl::Layer& layer);
     bool is_compiled(Stage stage, Output output);  // begins it if it was not
     std::vector<Pass> passes_with(Tiles most, Output output) const;
     std::vector<Pass> picture_passes(Output output) const;
@@ -168,6 +177,7 @@ private:
     bool flat_frame_;
     UniformBlocks blocks_;
     std::map<ProgramKey, gl::Program> programs_;
+    ComputePicture computed_;
     std::optional<std::pair<ProgramKey, gl::Program>> coming_;  // begun by build_next()
     Method method_;
     FrameTables tables_;

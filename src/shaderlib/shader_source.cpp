@@ -239,9 +239,12 @@ std::vector<int> block_members(const EffectSet& effects) {
     return members;
 }
 
-ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method,
-                           std::string_view metric, const BodyText& bodies) {
-    std::vector<std::string> defines = stage_defines(stage, effects, output, method);
+namespace {
+
+// The texts of these files, as a stage of these effects has them.
+std::vector<std::string> texts_of(std::initializer_list<const char*> files, Stage stage,
+                                  std::vector<std::string> defines, const EffectSet& effects, const Method& method,
+                                  std::string_view metric, const BodyText& bodies) {
     // Formulas of temperature and field may depend on the azimuth, though the model does not.
     if (const MediumModel* model = model_of(effects);
         model != nullptr && !model->traits.turn && (model->shares & kWarmth) != 0 && bodies.law_by_place)
@@ -275,9 +278,32 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
         return chosen[std::string(name)] =
                    path_line(path, is_interpolated(stage) && name == "path/trace" ? "path/interpolated" : name);
     };
+    std::vector<std::string> texts;
+    for (const char* file : files) texts.push_back(resolved_text(file, defines, read));
+    return texts;
+}
+
+}  // namespace
+
+ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method,
+                           std::string_view metric, const BodyText& bodies) {
     const StageFiles& files = kStageFiles[static_cast<std::size_t>(stage)];
+    const std::vector<std::string> texts =
+        texts_of({files.vertex, files.fragment}, stage, stage_defines(stage, effects, output, method), effects, method,
+                 metric, bodies);
     const std::string head(shader_head(kGlsl));
-    return {head + resolved_text(files.vertex, defines, read), head + resolved_text(files.fragment, defines, read)};
+    return {head + texts[0], head + texts[1]};
+}
+
+std::string compute_source(Stage stage, const EffectSet& effects, Output output, const Method& method,
+                           std::string_view metric, const BodyText& bodies) {
+    std::vector<std::string> defines = stage_defines(stage, effects, output, method);
+    defines.emplace_back("BY_COMPUTE");
+    if (is_in_tiles(stage)) defines.emplace_back("DRAWS_TILES");
+    const char* root = stage == Stage::kRayData   ? "stage/raydata.comp"
+                       : stage == Stage::kRayList ? "stage/ray_list.comp"
+                                                  : "stage/trace.comp";
+    return texts_of({root}, stage, std::move(defines), effects, method, metric, bodies).front();
 }
 
 }  // namespace nullscope

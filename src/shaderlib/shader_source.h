@@ -108,6 +108,15 @@ struct ShaderSource {
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
                            std::string_view metric = "schwarzschild", const BodyText& bodies = {});
 
+// Can a stage be drawn by compute? Not where a tile tells its fragments more than which bodies it may show.
+constexpr bool computes(Stage stage) {
+    return stage == Stage::kPicture || stage == Stage::kSkyTiles || stage == Stage::kDiscTiles ||
+           stage == Stage::kBodyTiles || stage == Stage::kRayData || stage == Stage::kRayList;
+}
+// What such a stage draws as a compute shader of the same functions, without what it begins with (gl/compute.h).
+std::string compute_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
+                           std::string_view metric = "schwarzschild", const BodyText& bodies = {});
+
 // Which members of FrameData (shaders/shared/frame_block.glsl, numbered as in the file) the block of these effects has, in order.
 std::vector<int> block_members(const EffectSet& effects);
 

@@ -1,5 +1,6 @@
 // WebGL2 for src/gl: its functions are those of OpenGL ES 3.0, which page/webgl.js gives. It has no clock.
 #include "gl/gl.h"
+#include "gl/compute.h"
 #include "platform/filters.h"
 
 #include <glad/gl.h>
@@ -15,6 +16,13 @@ void fail(const std::string& what) { page_fail(what.data(), what.size()); }
 
 bool filters_floats = false;
 Format filtered_light() { return filters_floats ? Format::kRgba32F : Format::kRgba16F; }
+
+// WebGL2 has no compute shaders.
+bool computes() { return false; }
+std::optional<StoredImage> stored_image(unsigned) { return std::nullopt; }
+ComputeProgram make_compute_program(const std::string&, Format) { return {}; }
+void compute_rows(const Program&, const StoredImage&, int, int, int, const Layer&) {}
+void compute_rows(const Program&, const Target&, int, int, int) {}
 
 // page/webgl.js says yes where the browser cannot tell (KHR_parallel_shader_compile).
 bool is_compiled(const Program& program) {

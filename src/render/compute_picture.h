@@ -1,0 +1,41 @@
+// The picture's passes by compute shaders (gl/compute.h), where they are wanted and the driver has them.
+#pragma once
+#include <functional>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "gl/compute.h"
+#include "plan/effects.h"
+#include "shaderlib/shader_source.h"
+
+namespace nullscope {
+
+class ComputePicture {
+public:
+    using Key = std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>;
+
+    void want(bool wanted) { wanted_ = wanted; }
+    // Is what this stage draws to be computed, as far as is known before its program is there?
+    bool wants(Stage stage) const { return wanted_ && computes(stage) && gl::computes(); }
+
+    // Of a stage that it wants, to store in this format; made by the first call. nullptr: the driver refuses it, fragments draw it.
+    const gl::Program* program(const Key& key, gl::Format stored, const std::function<std::string()>& text,
+                               const std::function<void(const gl::Program&)>& name_inputs);
+
+    // Do compute shaders draw, as far as is known?
+    bool draws() const { return wanted_ && refusal().empty(); }
+    int drawn() const { return drawn_; }  // times that a program was found
+    // Why fragments draw what compute was wanted for, a line; empty where compute does, or is not wanted. told: once.
+    std::string refusal() const;
+    std::string take_refusal();
+
+private:
+    bool wanted_ = false, told_ = false;
+    int drawn_ = 0;
+    std::map<std::pair<Key, gl::Format>, gl::Program> programs_;  // one without a name: refused
+    std::string refused_;
+};
+
+}  // namespace nullscope

@@ -1,0 +1,72 @@
+// The text of compute shaders: that of the fragment shaders but for what a compute shader may not hold, and nothing of an effect that is off.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <string>
+
+#include "plan/effects.h"
+#include "scenefile/scene_file.h"
+#include "shaderlib/passes.h"
+#include "support/depth.h"
+
+using namespace nullscope;
+
+namespace {
+
+constexpr Stage kComputed[] = {Stage::kPicture,   Stage::kSkyTiles, Stage::kDiscTiles,
+                               Stage::kBodyTiles, Stage::kRayData,  Stage::kRayList};
+
+struct Texts {
+    std::string fragment, compute;
+};
+
+Texts texts_of(Stage stage, const Scene& scene, Output output) {
+    const EffectSet effects = effect_set(required_effects(scene));
+    const BodyText bodies = body_text(scene, effects);
+    return {shader_source(stage, effects, output, {}, scene.spacetime.metric, bodies).fragment,
+            compute_source(stage, effects, output, {}, scene.spacetime.metric, bodies)};
+}
+
+TEST_CASE("compute source: holds nothing that drivers refuse in a compute shader") {
+    test::Selection selection(4);
+    for (const SceneInfo& info : shipped_scenes()) {
+        if (!selection.takes_next()) continue;
+        const Scene scene = *load_scene(info.name);
+        for (const Stage stage : kComputed) {
+            const std::string text = texts_of(stage, scene, Output::kDisplay).compute;
+            for (const char* word : {"dFdx", "dFdy", "gl_FragCoord", "discard", "flat in", "#version"})
+                CHECK_MESSAGE(text.find(word) == std::string::npos, info.name, ": ", word);
+            CHECK(text.find("layout(local_size_x = GROUP_THREADS) in;") != std::string::npos);
+        }
+    }
+}
+
+// Neither effects that are absent nor another picture's code come in by this way: of each scene the texts are as long as each other.
+TEST_CASE("compute source: is as long as the fragment shader's, whatever the scene has") {
+    constexpr long long kOwnBytes = 2600;  // threads, stores, neighbours; 2254 at most
+    test::Selection selection(4);
+    long long most = 0;
+    for (const SceneInfo& info : shipped_scenes()) {
+        if (!selection.takes_next()) continue;
+        const Texts texts = texts_of(Stage::kPicture, *load_scene(info.name), Output::kLinear);
+        const long long more =
+            static_cast<long long>(texts.compute.size()) - static_cast<long long>(texts.fragment.size());
+        most = std::max(most, more);
+        CHECK_MESSAGE(more >= 0, info.name);
+        CHECK_MESSAGE(more <= kOwnBytes, info.name);
+    }
+    fmt::print("compute source: at most {} bytes more than the fragment shader's\n", most);
+}
+
+// Threads hand their values over only where neighbours are asked for.
+TEST_CASE("compute source: waits for neighbours where rays are integrated, and nowhere else") {
+    for (const char* name : {"kerr", "first-light", "flat"}) {
+        const bool integrated = std::string(name) == "kerr";
+        const std::string text = texts_of(Stage::kPicture, *load_scene(name), Output::kLinear).compute;
+        CHECK((text.find("barrier()") != std::string::npos) == integrated);
+        CHECK(texts_of(Stage::kRayData, *load_scene(name), Output::kLinear).compute.find("barrier()") ==
+              std::string::npos);
+    }
+}
+
+}  // namespace
