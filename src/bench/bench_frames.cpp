@@ -12,6 +12,7 @@
 #include "bench/bench.h"
 #include "command/arguments.h"
 #include "command/json.h"
+#include "command/stage_choice.h"
 #include "spacetime/minkowski.h"
 
 namespace nullscope::cli {
@@ -21,6 +22,7 @@ struct FramesBench : BenchOptions {
     FramesBench() { scenes = {"flat", "sky-only", "first-light"}; }
     int poses = 0;
     bool effects = false, moving = false, refined = false;
+    std::string stage = kFragmentStage;
 };
 
 // What a row of any measurement begins with.
@@ -170,6 +172,19 @@ Result<Json> moving_cost(const Bench& bench, const Scene& scene, int frames) {
     return row;
 }
 
+// What draws the scene's frames; said where it was not asked for by name.
+Result<std::string> stage_of(const Bench& bench, const Scene& scene, const std::string& asked) {
+    Renderer& renderer = bench.renderer();
+    if (asked != "auto") {
+        renderer.compute(asked == kComputeStage);
+        return asked;
+    }
+    TRY(ready, renderer.prepare(scene));
+    const StageChoice choice = choose_stage(renderer, bench.target.width, bench.target.height);
+    fmt::print("{:<18} stage {}: {}\n", scene.name, choice.stage, choice.reason);
+    return choice.stage;
+}
+
 Status run_frames(const FramesBench& options) {
     if (options.effects && (options.poses > 0 || options.moving || options.refined))
         return bad_input("--effects: of the empty scene, at rest", "without --poses, --moving and --refined");
@@ -180,6 +195,7 @@ Status run_frames(const FramesBench& options) {
     Json rows = Json::array();
     for (const std::string& name : options.scenes) {
         TRY(scene, load_scene_sized(name, options.size));
+        TRY(stage, stage_of(*bench, *scene, options.stage));
         const bool refines = effect_set(required_effects(*scene)).contains(Effect::kRefine);
         scene->picture.refine = false;  // as in flight
         TRY(row,
@@ -192,6 +208,7 @@ Status run_frames(const FramesBench& options) {
             TRY(ratio, pose_ratio(*bench, *scene, options.poses));
             (*row)["pose_ratio"] = *ratio;
         }
+        (*row)["stage"] = *stage;
         rows.push_back(std::move(*row));
     }
     return write_json(options.json, rows);
@@ -205,6 +222,9 @@ void add_bench_frames(Command& bench) {
         run_frames);
     command.add_option("scenes", &options.scenes, "Scenes to time").show_default();
     draw_options(command, options, 9);
+    text_option(command, "--stage", options.stage,
+                "Shaders that trace the picture: fragment, compute (OpenGL 4.3), or auto: what a frame costs less by",
+                {"fragment", "compute", "auto"});
     command.add_option("--poses", &options.poses, "Also time this many random camera poses of each scene")
         .in_range(0, 10000);
     command.add_flag(

@@ -149,6 +149,7 @@ Result<CaptureJob> capture_job(const CaptureOptions& options, const OpenedScene&
     if (options.renderer != "gl") return job;
     TRY(method, chosen_method(options.method, options.max_error, job.scene, options.listener));
     job.method = *method;
+    job.computed = options.stage == "compute";
     job.traced_tiles =
         options.tiles == "auto" ? worth_tiles(job, job.frames.end - job.frames.first) : options.tiles == "traced";
     return job;
@@ -177,6 +178,7 @@ std::string stamp_of(const CaptureJob& job, const CaptureOptions& options) {
 
 void tell_renderer(Session& session, const CaptureJob& job) {
     session.renderer->set_method(job.method);
+    session.renderer->compute(job.computed);
     session.renderer->limit_tiles(job.traced_tiles ? Tiles::kTraced : Tiles::kBodies);
 }
 

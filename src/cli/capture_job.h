@@ -26,7 +26,7 @@ struct CaptureJob : Shot {
     Frames frames{};
     std::optional<FrameNames> names{};  // of a sequence's files; a film's pictures have a folder of their own
     SceneFolders folders{}, split_folders{};
-    bool traced_tiles = false;
+    bool traced_tiles = false, computed = false;
 };
 // Errors: bad input, all that is wrong before OpenGL and files are opened.
 Result<CaptureJob> capture_job(const CaptureOptions& options, const OpenedScene& opened);

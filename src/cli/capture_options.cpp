@@ -144,6 +144,7 @@ void add_capture_options(Command& command, CaptureOptions& options) {
                 "How the shader draws a disc: traced, only in tiles that show it (faster, equal up to rounding); "
                 "bodies, in the whole picture; auto: traced for films and large pictures",
                 {"auto", "bodies", "traced"});
+    stage_option(command, options.stage);
     command.add_flag("--dump-shader", &options.dump_shader, "Print the shaders of this scene's passes and stop");
 }
 

@@ -27,7 +27,7 @@ struct CaptureOptions : DrawOptions {
     int workers = 1;
     std::vector<std::string> set;     // scenefile/scene_override.h
     std::vector<std::string> ffmpeg;  // options for the film
-    std::string tiles = "auto";
+    std::string tiles = "auto", stage = "fragment";
     bool half = false, dump_shader = false, resume = false, plain = false, quiet = false;
     std::vector<std::string> given;  // names of the options that were given
     bool split_is_recorded = false;  // split is the picture that the scene is of

@@ -57,6 +57,7 @@ std::string frame_stamp(const StampInput& input) {
     } else {
         text += fmt::format("--context = {}\n--method = {}\n", options.context, input.method);
         text += fmt::format("--tiles = {}\n", options.tiles);
+        if (options.stage != CaptureOptions{}.stage) text += fmt::format("--stage = {}\n", options.stage);
         text += fmt::format("--largest-texture = {}\n", options.largest_texture.value_or(0));
     }
     text += fmt::format("--time-step = {:.17g}\ntime of frame 0 = {:.17g}\n", options.time_step, input.first_time);

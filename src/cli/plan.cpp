@@ -9,6 +9,8 @@
 #include "bench/bench.h"
 #include "cli/command.h"
 #include "command/json.h"
+#include "command/session.h"
+#include "command/stage_choice.h"
 #include "render/frame_textures.h"
 #include "scenefile/scene_file.h"
 #include "shaderlib/passes.h"
@@ -27,7 +29,9 @@ struct Plan {
     Scene scene;
     std::vector<EffectReason> effects;
     std::vector<FrameTexture> tables;
-    long long shader_bytes = 0, shader_lines = 0;
+    long long shader_bytes = 0, shader_lines = 0,
+              compute_bytes = 0;  // compute_bytes: with compute shaders where passes can have them
+    StageChoice stage{.reason = "unless --stage asks otherwise; --measure compares"};
     std::vector<EffectCost> costs;  // where they were measured
 };
 
@@ -35,10 +39,17 @@ Result<Plan> make_plan(const Scene& scene) {
     FrameTables tables;
     TRY(made, tables.update(scene));
     TRY(textures, frame_textures(tables));
-    Plan plan{scene, tables.plan().reasons, std::move(*textures), 0, 0, {}};
+    Plan plan{.scene = scene, .effects = tables.plan().reasons, .tables = std::move(*textures), .costs = {}};
     std::string shader;
-    for (const Pass& pass : passes(tables.effects(), Output::kDisplay))
-        shader += pass_text(pass, tables.effects(), {}, scene.spacetime.metric, body_text(scene, tables.effects()));
+    const BodyText bodies = body_text(scene, tables.effects());
+    for (const Pass& pass : passes(tables.effects(), Output::kDisplay)) {
+        const std::string text = pass_text(pass, tables.effects(), {}, scene.spacetime.metric, bodies);
+        const std::string computed = computes(pass.stage) ? compute_source(pass.stage, tables.effects(), pass.output,
+                                                                           {}, scene.spacetime.metric, bodies)
+                                                          : text;
+        shader += text;
+        plan.compute_bytes += static_cast<long long>(computed.size());
+    }
     plan.shader_bytes = static_cast<long long>(shader.size());
     plan.shader_lines = std::ranges::count(shader, '\n');
     return plan;
@@ -106,8 +117,9 @@ void print_text(const Plan& plan) {
         fmt::print("Passes in the viewer, once they are compiled, and in films (which interpolate nothing)\n");
         for (const Pass& pass : in_flight) fmt::print("  {:<19}{}\n", pass.name, pass.what);
     }
-    fmt::print("Shaders\n  {} bytes, {} lines (nullscope capture SCENE --dump-shader prints it)\n", plan.shader_bytes,
-               plan.shader_lines);
+    fmt::print("Shaders\n  {} bytes, {} lines (nullscope capture SCENE --dump-shader prints it); by compute {} bytes\n",
+               plan.shader_bytes, plan.shader_lines, plan.compute_bytes);
+    fmt::print("Stage\n  {:<19}{}\n", plan.stage.stage, plan.stage.reason);
 }
 
 Json json_of(const Plan& plan) {
@@ -137,10 +149,16 @@ Json json_of(const Plan& plan) {
     const CameraSpec& camera = plan.scene.camera;
     for (const Pass& pass : passes(effect_set(plan.effects), Output::kDisplay))
         drawn.push_back({{"name", pass.name}, {"width", camera.width}, {"height", camera.height}, {"what", pass.what}});
-    return Json{{"scene", plan.scene.name}, {"metric", plan.scene.spacetime.metric},
-                {"effects", effects},       {"left_out", off},
-                {"tables", tables},         {"table_bytes", total},
-                {"passes", drawn},          {"shader", {{"bytes", plan.shader_bytes}, {"lines", plan.shader_lines}}}};
+    return Json{{"scene", plan.scene.name},
+                {"metric", plan.scene.spacetime.metric},
+                {"effects", effects},
+                {"left_out", off},
+                {"tables", tables},
+                {"table_bytes", total},
+                {"passes", drawn},
+                {"stage", {{"name", plan.stage.stage}, {"reason", plan.stage.reason}}},
+                {"shader",
+                 {{"bytes", plan.shader_bytes}, {"lines", plan.shader_lines}, {"compute_bytes", plan.compute_bytes}}}};
 }
 
 Result<int> run_plan(const PlanOptions& options) {
@@ -149,6 +167,9 @@ Result<int> run_plan(const PlanOptions& options) {
     if (options.measure) {
         TRY(costs, effect_costs(*scene, "auto", options.frames));
         plan->costs = std::move(*costs);
+        TRY(session, open_session("auto"));
+        TRY(ready, session->renderer->prepare(*scene));
+        plan->stage = choose_stage(*session->renderer, scene->camera.width, scene->camera.height);
     }
     if (options.json)
         fmt::print("{}", json_text(json_of(*plan)));

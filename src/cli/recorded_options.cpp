@@ -45,6 +45,7 @@ std::string recorded_options(const RunOptions& run, const Scene& scene) {
         const bool mino = light_path_kind(effect_set(required_effects(scene))) == LightPathKind::kMino;
         if (!(mino && run.method == Method{})) add("--method", method_name(run.method));
         if (run.traced_tiles) add("--tiles", *run.traced_tiles ? "traced" : "bodies");
+        if (options.stage != CaptureOptions{}.stage) add("--stage", options.stage);
         if (options.largest_texture) add("--largest-texture", *options.largest_texture);
     }
     if (options.half) words.emplace_back("--half");
@@ -81,10 +82,10 @@ Result<CaptureOptions> with_recorded(CaptureOptions options, const OpenedScene& 
             without_controls(fmt::format("{}: {}: {}", options.scene, kOptionsWord, asked.error().message())));
 
     const Names out = displaced(options, {options.given.begin(), options.given.end()}), lost = without_place(options);
-    static constexpr std::array<std::string_view, 19> kRecorded = {
-        "--renderer",  "--samples",    "--method",    "--tiles", "--largest-texture", "--half", "--raydata",
-        "--layers",    "--st-map",     "--quality",   "--plain", "--frames",          "--size", "--time",
-        "--time-step", "--time-frame", "--max-error", "--bits",  "--colour"};
+    static constexpr std::array<std::string_view, 20> kRecorded = {
+        "--renderer", "--samples",   "--method",     "--tiles",     "--stage", "--largest-texture", "--half",
+        "--raydata",  "--layers",    "--st-map",     "--quality",   "--plain", "--frames",          "--size",
+        "--time",     "--time-step", "--time-frame", "--max-error", "--bits",  "--colour"};
     std::vector<std::string_view> left_out;
     for (std::size_t i = 0; i < command.options().size(); ++i) {
         const Option& option = *command.options()[i];

@@ -78,7 +78,8 @@ Status run(const Options& options) {
         Progress progress("rays", static_cast<long long>(records.size()));
         const TraceOutput output{[&](std::size_t i, RayRecord&& record) { records[i] = std::move(record); },
                                  [&](long long n) { progress.advance(n); },
-                                 [&](std::size_t i, const Error& error) { return ray_error(*table, i, error); }};
+                                 [&](std::size_t i, const Error& error) { return ray_error(*table, i, error); },
+                                 note_on_terminal};
         TRY(traced, trace_rays(*scene, **spacetime, table->queries, options, output));
     }
     const auto left_out = std::ranges::count(records, false, &std::optional<RayRecord>::has_value);
@@ -117,6 +118,7 @@ void add_trace(Command& parent) {
                   "Number of crossings of the equatorial plane to list: r_1, phi_1, ...; with a thermal disc also g_1, "
                   "..., with a polarised one "
                   "chi_1, p_1, ...");
+    stage_option(command, options.stage);
     context_option(command, options.context, "OpenGL context of --with gl: auto, egl, osmesa");
     number_option(
         command, "--points", options.points, 0, kMostCurvePoints,

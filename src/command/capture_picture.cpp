@@ -70,7 +70,6 @@ BandDrawing drawing_of_bands(Session& session, const Exposure& shown, const Draw
 Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawOptions& options, const Scene* next) {
     begin_drawing(session, options);
     Captured captured;
-    captured.made_by = made_by(session);
     if (options.layers) {
         TRY(layers, capture_layers(session, shown.scene, next));
         captured.linear = std::move(layers->layers.all);
@@ -99,6 +98,7 @@ Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawO
         TRY(bands, band_pictures(shown, drawing_of_bands(session, shown, options), captured.linear));
         captured.bands = std::move(*bands);
     }
+    captured.made_by = made_by(session);
     return captured;
 }
 
@@ -168,7 +168,8 @@ void begin_drawing(Session& session, const DrawOptions& options) {
 }
 
 std::string made_by(const Session& session) {
-    return session.context->kind() + ", " + session.renderer->info().renderer;
+    return session.context->kind() + ", " + session.renderer->info().renderer +
+           (session.renderer->computed().draws() ? ", compute" : "");
 }
 
 void tell_notes(Session& session, const Listener& listener) {

@@ -84,6 +84,13 @@ inline Status check_samples_of_reference(const std::string& renderer, bool sampl
     return Done{};
 }
 
+// --stage of what draws pictures by the shader.
+inline void stage_option(Command& command, std::string& stage) {
+    text_option(command, "--stage", stage,
+                "Shaders that trace the picture: fragment, or compute, on drivers with OpenGL 4.3; the same functions",
+                {"fragment", "compute"});
+}
+
 inline void renderer_option(Command& command, std::string& renderer) {
     text_option(command, "--renderer", renderer, "gl: the shader; reference: the double-precision tracer, slow",
                 {"gl", "reference"});

@@ -119,11 +119,13 @@ Status trace_rays(const Scene& scene, const Spacetime& spacetime, std::span<cons
         return bad_input(fmt::format("--context: --with {} does not use OpenGL", options.with), "--with gl");
     if (options.with == "reference" && options.method != "auto")
         return bad_input("--method: the reference tracer has its own", "--with gl");
+    if (options.with != "gl" && options.stage != TraceOptions{}.stage)
+        return bad_input(fmt::format("--stage: --with {} does not use OpenGL", options.with), "--with gl");
     TRY(method, method_of(options));
     if (options.with == "reference") return trace_with_reference(scene, spacetime, rays, options.crossings, output);
     return trace_with_shader(scene, spacetime, rays,
-                             {options.with, *method, options.context, options.crossings, has_matter(scene, spacetime),
-                              has_matter(scene, spacetime) && has_polarised_disc(scene)},
+                             {options.with, *method, options.context, options.stage == "compute", options.crossings,
+                              has_matter(scene, spacetime), has_matter(scene, spacetime) && has_polarised_disc(scene)},
                              output);
 }
 

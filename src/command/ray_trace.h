@@ -17,6 +17,7 @@ struct TraceOptions {
     std::string with = "reference";                 // core64, core32, gl
     std::string method = "auto", context = "auto";  // of gl
     int crossings = 0;                              // of the equatorial plane, to list
+    std::string stage = "fragment";                 // of gl: or compute
 };
 
 // What becomes of the rays, in any order. Lengths are in r_s: Spacetime::length_unit divides them out again.
@@ -24,6 +25,7 @@ struct TraceOutput {
     std::function<void(std::size_t ray, RayRecord&& record)> take;  // a ray that the shader cannot trace is not taken
     std::function<void(long long rays)> done;                       // so many more are traced; may throw
     std::function<Error(std::size_t ray, Error)> error;             // the error of a ray, with what says which
+    std::function<void(const std::string&)> note = [](const std::string&) {};  // a line, for people
 };
 
 // The scene's metric, disc and bodies are used. Errors: options that do not go together, a ray outside the metric's domain.

@@ -184,8 +184,12 @@ public:
         TRY(opened, open_session(run.context));
         lister.session_ = std::move(*opened);
         lister.session_->renderer->set_method(run.method);
+        lister.session_->renderer->compute(run.compute);
         lister.session_->renderer->want_delays(true);
         return lister;
+    }
+    std::vector<std::string> take_notes() {
+        return session_ ? session_->renderer->take_notes() : std::vector<std::string>();
     }
     const FrameTables& tables() const { return session_ ? session_->renderer->tables() : tables_; }
     Status prepare(const Scene& scene, bool crossings) {
@@ -344,6 +348,7 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
         Group(*lister, common, opaque && !planes, output).trace(now);
         rest = rest.subspan(now.size());
     }
+    for (const std::string& note : lister->take_notes()) output.note(note);
     return Done{};
 }
 
