@@ -14,8 +14,9 @@ struct PaintJob {
     double adaptation = 1.0;    // Renderer::set_adaptation
     bool coarse_first = false;  // a coarse picture may come before the whole one, if that takes long
     std::shared_ptr<const PaintJob> side_b =
-        nullptr;         // a second picture of the same size, by the same camera; has none itself
-    bool light = false;  // and the light of a few pixels beside it (viewer/small_light.h)
+        nullptr;           // a second picture of the same size, by the same camera; has none itself
+    bool light = false;    // and the light of a few pixels beside it (viewer/small_light.h)
+    bool compute = false;  // by compute shaders, where the driver has them
 };
 
 }  // namespace nullscope::viewer

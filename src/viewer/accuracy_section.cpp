@@ -35,6 +35,19 @@ bool method_row(ViewState& view, const FrameFacts& facts, bool escape) {
     return changed;
 }
 
+bool shaders_row(bool& compute, bool escape) {
+    row("Shaders",
+        "What traces pictures: fragment shaders, or compute shaders, which need OpenGL 4.3. The picture is the same; "
+        "the frame time below says which is faster here.");
+    bool changed = false;
+    choice("##shaders", compute ? "compute" : "fragment", escape, [&] {
+        for (const bool which : {false, true})
+            if (choice_item(which ? "compute" : "fragment", compute == which) && compute != which)
+                compute = which, changed = true;
+    });
+    return changed;
+}
+
 bool asked_row(MethodWish& wish) {
     double decades = std::log10(wish.max_error_px);
     if (!slide_as("Max error", decades, std::log10(kLeastAsked_px), std::log10(kMostAsked_px),
@@ -105,6 +118,7 @@ bool accuracy_section(ViewState& view, const FrameFacts& facts, bool escape) {
     } else {
         paragraph(facts.not_measured, true);
     }
+    changed |= shaders_row(view.compute, escape);
     row("Overlay",
         "Shows the screen error of every pixel as a colour over the picture: the larger of sky and disc (key H).");
     ImGui::Checkbox("Error of every pixel", &view.show_errors);

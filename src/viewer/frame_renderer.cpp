@@ -79,7 +79,7 @@ double FrameRenderer::ray_picture_ms(const PaintJob& job) const {
     Scene once = job.scene;
     once.picture.samples = 1;  // of pictures in motion
     const EffectSet effects = with_one_ray(effect_set(required_effects(once)));
-    if (method_ != job.method || effects_ != effects) return 0.0;
+    if (method_ != job.method || compute_ != job.compute || effects_ != effects) return 0.0;
     if (job.side_b == nullptr) return picture_ms_;
     const double other = side_b_ != nullptr ? side_b_->ray_picture_ms(*job.side_b) : 0.0;
     return picture_ms_ > 0.0 && other > 0.0 ? picture_ms_ + other : 0.0;
@@ -116,6 +116,7 @@ Status FrameRenderer::prepare(const Scene& scene, const PaintJob& job, const Sta
     renderer_.refine(!search.quick);  // by the same programs
     renderer_.draft(search.quick);
     renderer_.set_method(job.method);
+    renderer_.compute(job.compute);
     renderer_.set_adaptation(job.adaptation);
     split_ = job.rays ? std::nullopt : halves(scene);
     if (!split_) right_.reset();
@@ -127,6 +128,7 @@ Status FrameRenderer::prepare(const Scene& scene, const PaintJob& job, const Sta
     right_->search_stars(search);
     right_->refine(!search.quick);
     right_->draft(search.quick);
+    right_->compute(job.compute);
     // The right half's spacetime may not have the left one's method.
     const SpacetimeSpec& other = split_->right.spacetime;
     const auto spacetime = make_spacetime(other.metric, other.parameters);
@@ -194,8 +196,8 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
     if (painting.ready) {
         painting.draft = first && drafts(job);
         const EffectSet effects = with_one_ray(renderer_.tables().effects());
-        if (effects != effects_ || job.method != method_) ray_ms_ = 0.0, half_ray_ms_ = {};
-        effects_ = effects, method_ = job.method;
+        if (effects != effects_ || job.method != method_ || job.compute != compute_) ray_ms_ = 0.0, half_ray_ms_ = {};
+        effects_ = effects, method_ = job.method, compute_ = job.compute;
         const gl::Target& drawn = target(painting.width, painting.height, avoid);
         const double expected_ms = picture_ms_ * painting.width * painting.height;
         const auto times = draw(drawn, first && expected_ms > 0.0 && expected_ms <= kMotionInMatter_ms, watch);

@@ -115,6 +115,7 @@ private:
     double ray_ms_ = 0.0;  // of scenes with these effects and this method
     EffectSet effects_;
     Method method_;
+    bool compute_ = false;     // likewise
     double picture_ms_ = 0.0;  // the last picture's, a ray; 0: not known
     double coarseness_ = 1.0;  // of the last picture in motion
     double compile_ms_ = 0.0;

@@ -74,10 +74,12 @@ void Viewer::ask() {
     PaintJob job{scene, asked_.choice.method, false,
                  adaptation_.step(seconds(), patient() || !scene.picture.auto_exposure), coarse};
     job.light = is_open(view_, kTelescopePanel);
+    job.compute = view_.compute;
     if (view_.side_b != nullptr) {
         const Scene b = drawn_side_b(view_);
         const Method method = method_choice(methods_.measured, view_.side_b->method, b).method;
-        job.side_b = std::make_shared<PaintJob>(PaintJob{b, method, false, job.adaptation, coarse});
+        job.side_b = std::make_shared<PaintJob>(
+            PaintJob{b, method, false, job.adaptation, coarse, nullptr, false, view_.compute});
     }
     painter_->ask(std::move(job));
 }
