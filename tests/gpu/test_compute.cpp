@@ -41,6 +41,11 @@ Differences differences(const Image<float>& a, const Image<float>& b) {
     return found;
 }
 
+bool compares() {
+    if (!gl::computes()) MESSAGE("this OpenGL is older than 4.3: nothing to compare");
+    return gl::computes();
+}
+
 // Neighbours' differences are taken where rays are integrated, or found as an angle.
 bool takes_differences(const EffectSet& effects) { return light_path_kind(effects) == LightPathKind::kMino; }
 
@@ -64,10 +69,7 @@ void check_same(const Differences& found, bool differences_taken, const std::str
 TEST_CASE("compute: every scene that ships is the same picture by both stages" * test::costly()) {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
-    if (!gl::computes()) {
-        MESSAGE("this OpenGL is older than 4.3: nothing to compare");
-        return;
-    }
+    if (!compares()) return;
     Renderer& renderer = *session->renderer;
     int scenes = 0, computed = 0;
     test::Selection selection(10);
@@ -94,10 +96,10 @@ TEST_CASE("compute: every scene that ships is the same picture by both stages" *
 TEST_CASE("compute: whatever is drawn of a scene is the same by both stages" * test::costly()) {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
-    if (!gl::computes()) return;
+    if (!compares()) return;
     Renderer& renderer = *session->renderer;
     for (const char* name : {"first-light", "kerr", "saturn"}) {
-        CAPTURE(name);
+        CAPTURE(std::string(name));
         Scene scene = thumbnail(name);
         scene.picture.refine = false;
         const auto both = [&](auto draw) {
@@ -173,7 +175,7 @@ TEST_CASE("compute: lists of rays end alike by both stages") {
 TEST_CASE("compute: a text that the driver refuses is said in a line") {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
-    if (!gl::computes()) return;
+    if (!compares()) return;
     ComputePicture computed;
     computed.want(true);
     const ComputePicture::Key key(Stage::kPicture, Output::kLinear, {}, {}, "", {});
