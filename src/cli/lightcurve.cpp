@@ -195,10 +195,10 @@ Result<std::array<int, 4>> region_of(const LightcurveOptions& options, const Cam
 Result<int> run_lightcurve(const LightcurveOptions& options) {
     TRY(scene, asked_scene(options));
     if (!changes_with_time(*scene))
-        return bad_input(
-            fmt::format("{}: nothing in it changes with time", options.scene),
-            "a scene with disc.flow, disc.precession, [spot], sphere.amplitude, ball.motion, t in surface.shape or in formulas "
-            "of [medium], medium.flow, or dumps as medium.file");
+        return bad_input(fmt::format("{}: nothing in it changes with time", options.scene),
+                         "a scene with disc.flow, disc.precession, [spot], sphere.amplitude, ball.motion, t in "
+                         "surface.shape or in formulas "
+                         "of [medium], medium.flow, or dumps as medium.file");
     TRY(samples, check_samples_of_reference(options.renderer, options.samples.has_value()));
     TRY(context, check_context(options.renderer, options.context));
     TRY(region, region_of(options, scene->camera));

@@ -186,8 +186,8 @@ TEST_CASE("disc lean: a hair's tilt about a rotating hole is none, by crossings 
                     most_g = std::max(most_g, std::fabs(g(of_hair, q[k]) / g(of_flat, p[k]) - 1));
                 }
             }
-        fmt::print("disc lean: a = {}, {} crossings of a hair's tilt are the equator's to {:.1e}, g to {:.1e}\n", spin, met, most,
-                   most_g);
+        fmt::print("disc lean: a = {}, {} crossings of a hair's tilt are the equator's to {:.1e}, g to {:.1e}\n", spin,
+                   met, most, most_g);
         CHECK(met > 40);
         CHECK(most < 1e-7);
         CHECK(most_g < 1e-7);
@@ -220,7 +220,8 @@ TEST_CASE("disc lean: matter about a rotating hole keeps below light, or is refu
     }
     CHECK(*leaning_rate(*hole, 5, Sense::kEastward, 0) == circular_orbit(*hole, 5)->omega);
     // Upside down, eastward about its own axis is westward about the hole's.
-    CHECK(std::fabs(*leaning_rate(*hole, 5, Sense::kEastward, M_PI) + circular_orbit(*hole, 5, Sense::kWestward)->omega) < 1e-15);
+    CHECK(std::fabs(*leaning_rate(*hole, 5, Sense::kEastward, M_PI) +
+                    circular_orbit(*hole, 5, Sense::kWestward)->omega) < 1e-15);
 }
 
 }  // namespace
