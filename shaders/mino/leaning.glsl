@@ -82,6 +82,7 @@ DiscCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h, f
     search.high = 1.0;
     search = leaning_narrowed(search, leaning_height_within(ray, segment, search.s), begin.x);
     search = leaning_narrowed(search, leaning_height_within(ray, segment, search.s), begin.x);
+    search = leaning_narrowed(search, leaning_height_within(ray, segment, search.s), begin.x);
     float s = search.s;
     vec4 at = spin_at(segment.arc, s);
     vec4 slope = spin_slope_at(segment.arc, s) / h;
