@@ -135,6 +135,9 @@ std::vector<Scene> full_scenes() {
     rings.sky.kind = SkyKind::kBlack, rings.light.delay = false;
     rings.disc.emplace().flow = DiscFlowKind::kKepler;
     rings.camera.theta = 1.57;
+    Scene& leaning = scenes.emplace_back();
+    leaning.spacetime.metric = "kerr", leaning.spacetime.parameters["spin"] = 0.5;
+    leaning.sky.kind = SkyKind::kBlack, leaning.disc.emplace().lean = {0.5, 0.3};
     Scene& polarised = scenes.emplace_back(scenes[8]);
     polarised.medium->field_direction = FieldDirection::kEast, polarised.medium->polarisation = true;
     Scene& bands = scenes.emplace_back(scenes[8]);
