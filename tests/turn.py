@@ -24,7 +24,7 @@ ROOT = TESTS.parent
 TURNS = 4
 # Base seconds that touched code may add to a turn: what is beyond it waits for its turn, and is named. A change of everything would
 # otherwise run everything.
-MOST_TOUCHED = 100
+MOST_TOUCHED = 60
 UNEVEN = 1.15          # the largest turn over the mean: the limit of a turn is set for the largest
 DEPTH = re.compile(r"\b(by_depth|costly|Selection|on_every_context|tries)\b|\bdepth\(\)|\bQUICK\b")
 

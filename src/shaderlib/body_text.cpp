@@ -328,7 +328,7 @@ GlowText glows_text(const std::vector<Group>& groups, const Scene& scene) {
     for (const Group& g : groups)
         if (g.glows) glowing.push_back({g.name, g.shape.name, g.shape.moves, g.from, g.to});
     GlowText text = glow_text(scene, glowing);
-    if (!glowing.empty()) text.shift = includes_of(groups) + text.shift;
+    if (!glowing.empty()) text.shift = include_line("object/solid_hit.glsl") + includes_of(groups) + text.shift;
     return text;
 }
 

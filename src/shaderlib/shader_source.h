@@ -51,7 +51,7 @@ enum class Stage {
 inline constexpr int kTileSide = 8;    // px
 inline constexpr int kFirstTiles = 4;  // tiles a side of those of the first pass, which bodies are looked for in
 // Of the target of pixels with more rays (render/ray_patches.h). No power of two: llvmpipe compiles once more for textures of such sizes.
-inline constexpr int kPatchesSide = 504;
+inline constexpr int kPatchesSide = 184;
 int rays_a_tile(
     const EffectSet& effects);  // of stage kRays: through the corner, and through the middle if rays are interpolated
 // Whether a stage's text depends on the scene at all; else one program serves every scene.
