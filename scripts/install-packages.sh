@@ -18,7 +18,7 @@ docs=(mkdocs)
 all_tests=(python3-venv python3-dev ffmpeg man-db munge parallel slurm-client slurmctld slurmd)
 # scripts/web.sh: the browser's build; and the browsers that test it
 web=(clang-19 lld-19 libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc libgles-dev chromium-headless-shell firefox-esr
-     webkit2gtk-driver)
+     webkit2gtk-driver libdeflate-tools)
 checks=(clang libclang-rt-dev clang-format clang-tidy)   # scripts/check.sh
 # Other programs that tests compare with, where they exist (tests/proof/test_gyoto.py)
 peers=(gyoto-bin)
