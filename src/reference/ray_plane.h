@@ -15,7 +15,7 @@ public:
     // Its azimuth, continuous along the ray, starting at the camera's phi: every half turn of the ray adds pi. (Through
     // the axis the azimuth jumps by pi, towards growing phi.)
     double azimuth(double angle) const;
-    // Of the angular momentum of what moves along it, away from the camera: unit vector, world axes.
+    // Direction of the orbital angular momentum of a particle that leaves the camera along the ray: unit vector, world axes.
     Vec3 axis() const;
     // Swept angle of the k-th crossing of the plane after the camera, k >= 1; infinite if it stays there.
     double crossing(int k) const;

@@ -7,6 +7,7 @@
 #include "against_reference.h"
 #include "observer/pose.h"
 #include "scene/leaning_disc.h"
+#include "support/picture_off.h"
 
 namespace {
 
@@ -63,16 +64,10 @@ TEST_CASE("disc lean: the picture is what a turned camera sees, rings, tiles and
             wrong.scene.disc->lean.node += 1 * kOneDegree;
             const Image<float> a = picture_of(session, one), b = picture_of(session, other),
                                c = picture_of(session, wrong);
-            const auto off = [&](const Image<float>& x) {
-                double sum = 0, whole = 0;
-                for (std::size_t i = 0; i < a.data.size(); ++i)
-                    sum += std::fabs(a.data[i] - x.data[i]), whole += a.data[i];
-                return sum / whole;
-            };
             fmt::print("disc lean: {} as a turned camera sees it but for {:.1e} of its light; a degree beside {:.1e}\n",
-                       gas ? "gas" : "spots", off(b), off(c));
-            CHECK(off(b) < 1e-3);
-            CHECK(off(c) > 0.01);
+                       gas ? "gas" : "spots", light_off(a, b), light_off(a, c));
+            CHECK(light_off(a, b) < 1e-3);
+            CHECK(light_off(a, c) > 0.01);
         }
     });
 }

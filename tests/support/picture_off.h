@@ -1,4 +1,4 @@
-// How far two displayed pictures of one size are apart.
+// How far two pictures of one size are apart.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -30,6 +30,14 @@ inline Off off_between(const Image<unsigned char>& a, const Image<unsigned char>
     const auto at = worst.begin() + static_cast<std::ptrdiff_t>(worst.size() * 999 / 1000);
     std::nth_element(worst.begin(), at, worst.end());
     return {sum / static_cast<double>(a.data.size()), static_cast<double>(*at), most};
+}
+
+// Of linear light: the sum of the differences over that of `drawn`.
+inline double light_off(const Image<float>& drawn, const Image<float>& other) {
+    double sum = 0, whole = 0;
+    for (std::size_t i = 0; i < drawn.data.size(); ++i)
+        sum += std::fabs(other.data[i] - drawn.data[i]), whole += drawn.data[i];
+    return sum / whole;
 }
 
 }  // namespace nullscope::test
