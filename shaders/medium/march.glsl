@@ -14,8 +14,13 @@
 #define MEDIUM_MOST_SPANS 8192   // src/plan/medium.cpp
 #define MEDIUM_SAMPLES 4      // of a span
 #define MEDIUM_SHORTEST 0.015625   // of a span, a sample whose length follows the matter
-#define MEDIUM_LONGEST 0.5    // of a ray's step, or rad
+#define MEDIUM_LONGEST 0.5    // of a ray's step, or rad, a span
 #define MEDIUM_FARTHEST 0.99  // of r, in one jump
+
+uniform int medium_longer;    // 1: samples and spans are twice as long, of pictures in motion (render/light_lattice.h)
+
+float medium_stretch() { return medium_longer > 0 ? 2.0 * frame.medium_bound.z : frame.medium_bound.z; }
+float medium_longest() { return medium_longer > 0 ? 2.0 * MEDIUM_LONGEST : MEDIUM_LONGEST; }
 
 struct MediumSum {
     vec3 light;
@@ -226,7 +231,7 @@ MediumSum medium_along(MediumSpan span, MediumSum sum, bool empty) {
 #else
         sum = medium_add(sum, found, there ? way : 0.0, along);
 #endif
-        sum.step = there ? found.step * frame.medium_bound.z * (2.0 - sum.through) : sum.step;
+        sum.step = there ? found.step * medium_stretch() * (2.0 - sum.through) : sum.step;
 #ifdef MEDIUM_OWN_STEPS
         first = sum.through > frame.medium_colour.w ? first : 1.0;
 #endif

@@ -127,7 +127,7 @@ MediumWalk medium_on(MediumWalk walk, float last) {
         float free = medium_free(walk.place.r, walk.place.outward.z);
         length = medium_jump(free, before, length, walk.place.r);
         before = free;
-        float jump = min(place_part(walk.place, max(length, frame.medium_bound.y)), MEDIUM_LONGEST);
+        float jump = min(place_part(walk.place, max(length, frame.medium_bound.y)), medium_longest());
         // On its way out beyond the outermost matter nothing more follows.
         bool over = walk.place.r > frame.medium_bound.x && dot(walk.place.velocity, walk.place.outward) > 0.0;
         walk.empty = over || free > walk.sum.step;   // a span is longer
@@ -144,7 +144,7 @@ MediumWalk medium_on(MediumWalk walk, float last) {
 // And along a span from there; of it what medium_to() has not set.
 MediumWalk medium_through(MediumWalk walk, MediumSpan span, float last) {
     float length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
-    float more = min(min(place_part(walk.place, length), MEDIUM_LONGEST), last - walk.part);
+    float more = min(min(place_part(walk.place, length), medium_longest()), last - walk.part);
     RayPlace next = medium_place(walk.ray, walk.segment, walk.part + more);
     span.from = walk.place.at;
     span.to = next.at;

@@ -32,7 +32,7 @@ RayPlace medium_late(Trace trace, RayPlace place, float along) { return place; }
 RayPlace medium_next(Trace trace, vec3 tangent, float along, RayPlace from, float from_along) { return medium_at(trace, tangent, along); }
 #endif
 
-float medium_part(RayPlace place, float length) { return min(place_part(place, length), MEDIUM_LONGEST); }
+float medium_part(RayPlace place, float length) { return min(place_part(place, length), medium_longest()); }
 
 // Of the affine parameter by the angle, over r^2.
 float medium_rate(Trace trace) { return trace.doppler * frame.shift.y / trace_sine(trace); }

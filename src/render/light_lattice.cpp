@@ -16,10 +16,12 @@ int nodes(int length, int side) { return (length - 1) / side + 5; }
 
 }  // namespace
 
-void LightLattice::resize(const std::vector<Pass>& passes, int width, int height) {
+void LightLattice::resize(const std::vector<Pass>& passes, int width, int height, bool own_steps) {
+    longer_ = draft_ && !own_steps;
     if (std::ranges::find(passes, Stage::kLattice, &Pass::stage) == passes.end()) {
         levels_ = {};
         none_ = {};
+        longer_ = false;
         return;
     }
     width_ = width, height_ = height;
@@ -31,7 +33,7 @@ void LightLattice::resize(const std::vector<Pass>& passes, int width, int height
 
 void LightLattice::size(std::size_t number) {
     Level& level = levels_[number];
-    level.texels = draft_ && number + 1 == kSides.size() ? 1 : 2;
+    level.texels = draft_ ? 1 : 2;
     // Of odd sizes: llvmpipe compiles once more for textures whose sides are powers of two.
     const int columns = nodes(width_, kSides[number]), packed = level.texels * columns | 1,
               up = nodes(height_, kSides[number]) | 1;
@@ -68,6 +70,7 @@ void LightLattice::extend(std::size_t number, const Programs& programs, int last
         gl::set_integer(program, "lattice_drawn_texels", level.texels);
         gl::set_integer(program, "lattice_drawn_spread", level.spread);
         gl::set_integer(program, "lattice_drawn", side);
+        gl::set_integer(program, "medium_longer", longer_ ? 1 : 0);
         gl::set_integer(program, "lattice_across", level.nodes.width);
         gl::set_integer(program, "lattice_up", up);
         gl::draw_tiles(program, programs.empty, level.nodes.framebuffer.id(), level.nodes.width, up, kTileSide, from,
@@ -100,6 +103,7 @@ void LightLattice::bind(const Level& level) {
 }
 
 void LightLattice::tell(const gl::Program& program) const {
+    gl::set_integer(program, "medium_longer", longer_ ? 1 : 0);
     if (none_.nodes.width == 0) return;
     gl::set_integer(program, "lattice_side", kSides.back());
     gl::set_integer(program, "lattice_texels", levels_.back().texels);

@@ -11,12 +11,13 @@ namespace nullscope {
 
 class LightLattice {
 public:
-    // For a picture of this size by these passes; frees what they do not need. Binds textures of its own to unit 0.
-    void resize(const std::vector<Pass>& passes, int width, int height);
+    // For a picture of this size by these passes; frees what they do not need. Binds textures of its own to unit 0. own_steps: of the matter
+    // (plan/medium_model.h), whose drafts have no longer samples.
+    void resize(const std::vector<Pass>& passes, int width, int height, bool own_steps);
 
-    // How far the light that they tell may be off where it is compared with a ray's: thousandths of it. Of drafts, and of their finest lattice,
-    // which has rays through its nodes alone: how far cubic and line may differ, or a cell's nodes next to the shadow's edge (4 px of beads on
-    // the ring without that).
+    // How far the light that they tell may be off where it is compared with a ray's: thousandths of it. Of drafts, whose lattices have rays through
+    // their nodes alone, and of their finest: how far cubic and line may differ, or a cell's nodes next to the shadow's edge (4 px of beads on the
+    // ring without that). Drafts' rays have samples twice as long.
     static constexpr int kError = 5, kDraftError = 50, kFinestDraftError = 600;
     void draft(bool wanted) { draft_ = wanted; }
 
@@ -50,7 +51,7 @@ private:
     void bind(const Level& level);
     void size(std::size_t number);  // the level's targets, for texels
 
-    bool draft_ = false;
+    bool draft_ = false, longer_ = false;
     int first_ = 0, width_ = 0, height_ = 0;
     std::array<Level, kSides.size()> levels_;
     Level none_;  // read while the coarsest is drawn

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plan/medium.h"
+#include "plan/medium_model.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
 #include "shaderlib/flat_frame.h"
@@ -173,6 +174,11 @@ bool Renderer::scatters_or_meters() const {
     return tables_.effects().contains(Effect::kBloom) || tables_.effects().contains(Effect::kAutoExposure);
 }
 
+bool Renderer::own_steps() const {
+    const auto& medium = tables_.plan().scene.medium;
+    return medium && model_of(*medium).traits.own_steps;
+}
+
 // What a picture's rows ask for before they are drawn: tiles with its first ones.
 void Renderer::find_before(const Pass& pass, int first, int last) {
     if (pass.stage == Stage::kLattice) {
@@ -190,7 +196,7 @@ void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output out
     const std::vector<Pass> list = picture_passes(output);
     keep_light(list, width, height, output);
     picture_tiles_.resize(list, width, height, tables_.effects());
-    lattice_.resize(list, width, height);
+    lattice_.resize(list, width, height, own_steps());
     bind_inputs();
     const bool keep = linear_.width > 0;
     const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
@@ -310,7 +316,7 @@ bool Renderer::build_next() {
         const gl::Target target =
             gl::make_target(kSide, kSide, keeps_light(list) ? gl::filtered_light() : gl::Format::kRgba8);
         picture_tiles_.resize(list, kSide, kSide, tables_.effects());
-        lattice_.resize(list, kSide, kSide);
+        lattice_.resize(list, kSide, kSide, own_steps());
         bind_inputs();
         if (draws_picture(pass.stage))
             draw_picture(pass, target.framebuffer.id(), kSide, kSide, 0, kSide, {});

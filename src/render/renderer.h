@@ -160,6 +160,7 @@ private:
     void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
     void find_before(const Pass& pass, int first, int last);
     void keep_light(const std::vector<Pass>& list, int width, int height, Output output);
+    bool own_steps() const;
     bool scatters_or_meters() const;
     const gl::Program& picture_program(const Pass& pass);
     void draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,

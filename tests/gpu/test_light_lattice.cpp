@@ -147,14 +147,14 @@ TEST_CASE("lattice: a picture drawn in pieces is the picture, with more rays at 
     CHECK(others <= kAtEdge * 3 * kWidth * kHeight);
 }
 
-// Of pictures in motion. Measured: 0.35 (next to the shadow's edge), 0.05, 4e-3.
-constexpr Bounds kDraft = {0.5, 0.07, 0.01};
+// Of pictures in motion. Measured: 0.35 (next to the shadow's edge) and 0.48 (of grid-torus, there too), 0.043, 4.6e-3.
+constexpr Bounds kDraft = {0.5, 0.05, 0.01};
 
 TEST_CASE("lattice: pictures in motion follow fewer rays, and those at rest are what they were" * test::costly()) {
     auto session = test::open_gpu("egl");
     REQUIRE(session);
     Renderer& renderer = *session->renderer;
-    for (const char* name : {"hot-flow", "m87-synchrotron"}) {
+    for (const char* name : {"hot-flow", "m87-synchrotron", "grid-torus"}) {
         const Scene scene = sized(*load_scene(name), 480, 270);
         const LightErrors rest = check_light(renderer, name, scene, kSmooth);
         const Image<float> before = by(renderer, Tiles::kInterpolated);
