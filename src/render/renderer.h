@@ -79,7 +79,7 @@ public:
     void refine(bool wanted) { refining_ = wanted; }
 
     // Whether the light of matter is interpolated for pictures in motion: to 5 %, between rays 4 px apart as their neighbours allow, in place of
-    // 0.5 %. The programs are the same.
+    // 0.5 %, with samples twice as long but in gas. The programs are the same.
     void draft(bool wanted) { lattice_.draft(wanted); }
 
     // How the images of point stars in a new view about a rotating hole are found, from the next prepare() on.
