@@ -64,8 +64,11 @@ float disc_g(Trace trace, DiscCrossing crossing, vec3 u) {
 #endif
 
 #ifdef SLOT_DISC_LIGHT
-// As planar/disc.glsl; the momentum across the plane is |p_theta|/r.
-float disc_cosine(Trace trace, DiscCrossing crossing, float g) { return abs(crossing.rise) / crossing.r * (g / trace.doppler); }
+#ifndef EFFECT_DISC_LEAN
+float disc_across(DiscCrossing crossing) { return abs(crossing.rise) / crossing.r; }
+#endif
+// As planar/disc.glsl; the momentum across the equatorial plane is |p_theta|/r.
+float disc_cosine(Trace trace, DiscCrossing crossing, float g) { return disc_across(crossing) * (g / trace.doppler); }
 #endif
 
 #ifdef NEEDS_POLARISATION

@@ -33,11 +33,21 @@ SpinState next_step(SpinRay ray, SpinState from, inout float h) {
         again = part < 1.0;
         h *= part;
         to = spin_step(ray, from, h);
-        to.height = leaning_end(to.y, to.v, to.psi, to.drag);
+        to.height = leaning_end(ray, to);
         part = leaning_dip(vec2(from.height.x, h * from.height.y), vec2(to.height.x, h * to.height.y));
     } while (part < 1.0 && !again);
     return to;
 }
+
+// Once psi has what a zoom leaves out.
+#ifdef EFFECT_ZOOM
+SpinState state_turned(SpinRay ray, SpinState now) {
+    now.height = leaning_end(ray, now);
+    return now;
+}
+#else
+SpinState state_turned(SpinRay ray, SpinState now) { return now; }
+#endif
 
 // A search for the plane between two ends of a step: by Newton's steps while they stay between what is known to be on this side and on the other.
 struct LeaningSearch {
@@ -98,6 +108,9 @@ DiscCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h, f
     crossing.climb = slope.w;
     crossing.momentum = -dot(turned, vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z));
     crossing.north = n.z;
+#ifdef NEEDS_RISE
+    crossing.rise = leaning_height_within(ray, segment, s).y / h;
+#endif
 #ifdef NEEDS_LIGHT_TIMES
     crossing.delay = segment_delay(ray, segment, s, at);
 #endif
@@ -116,3 +129,16 @@ float leaning_u_t(DiscCrossing crossing, float rate) {
     float lapse2 = 1.0 - pull + 2.0 * frame.spin_hole.x * pull * rate * across - rate * rate * (sigma * (1.0 - part) + (r2 + a2 + a2 * pull * sine2) * part);
     return inversesqrt(max(lapse2, 1.0e-6));
 }
+
+#ifdef SLOT_DISC_LIGHT
+// The photon's momentum along the plane's unit normal: k N/sqrt(N^2) with N the height's gradient, Sigma k N = rise, and
+// Sigma N^2 = 1 - a^2 N_phi^2/Delta, N_phi^2 = sin^2 - cos(tilt)^2.
+float disc_across(DiscCrossing crossing) {
+    float a2 = frame.spin_hole.y;
+    float r = crossing.r;
+    float sine2 = 1.0 - crossing.north * crossing.north;
+    float delta = (r - frame.spin_hole.z) * (r - frame.spin_hole.w);
+    float beside = a2 * max(sine2 - frame.disc_normal.z * frame.disc_normal.z, 0.0) / max(delta, 1.0e-6);
+    return abs(crossing.rise) * inversesqrt(max((r * r + a2 * (1.0 - sine2)) * (1.0 - beside), 1.0e-6));
+}
+#endif

@@ -6,7 +6,7 @@
 struct ListedCrossing {
     bool there;
     vec2 place;     // x and y, azimuth of Boyer and Lindquist, r_s
-    float climb;    // d zeta/d tau
+    float climb;    // d zeta/d tau; of a disc that leans instead the photon's momentum about its axis
     float along;    // Mino's time
 };
 
@@ -17,7 +17,11 @@ ListedCrossing listed_crossing(Trace trace, int k) {
     ListedCrossing crossing;
     crossing.there = kept_more(trace.kept, k);
     crossing.place = met.place;
+#ifdef EFFECT_DISC_LEAN
+    crossing.climb = met.momentum;
+#else
     crossing.climb = met.climb;
+#endif
     crossing.along = met.phi;
     return crossing;
 }

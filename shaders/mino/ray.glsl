@@ -116,7 +116,7 @@ SpinState spin_start(SpinRay ray, vec3 n) {
 #endif
     at.drag = spin_turning_at(ray, at);
 #ifdef EFFECT_DISC_LEAN
-    at.height = leaning_end(at.y, at.v, at.psi, at.drag);
+    at.height = leaning_end(ray, at);
 #endif
     return at;
 }

@@ -175,7 +175,7 @@ struct DiscCrossing {
     vec2 across;      // ... and upward
     float climb;      // d zeta / d tau there: p_r of the photon is climb / (zeta^2 Delta)
 #ifdef NEEDS_RISE
-    float rise;       // d n_z / d tau there: p_theta of the photon, the root of Carter's constant
+    float rise;       // d n_z / d tau there: p_theta of the photon, the root of Carter's constant; of a plane that leans that of the height over it
 #endif
 #ifdef NEEDS_LIGHT_TIMES
     float delay;       // how long ago, by the camera's clock, the light left

@@ -199,6 +199,20 @@ SpinState spin_step(SpinRay ray, SpinState from, float h) {
 }
 #endif
 
+#ifdef EFFECT_SPIN_FALL
+#ifdef EFFECT_DISC_LEAN
+#define INGOING_OUT 0.985    // of the horizon's 1/r: a step from within ends here, so that none is half within and half on a disc that leans
+bool fall_slows(SpinRay ray, SpinState at) { return !at.ingoing || at.y.w * ray.outer < 1.0; }
+float ingoing_out(SpinRay ray, SpinState at, float h) {
+    float way = at.y.w - INGOING_OUT / ray.outer;
+    return at.ingoing && at.y.w * ray.outer >= 1.0 && at.v.w < 0.0 ? min(h, -way / at.v.w) : h;
+}
+#else
+bool fall_slows(SpinRay ray, SpinState at) { return !at.ingoing; }
+float ingoing_out(SpinRay ray, SpinState at, float h) { return h; }
+#endif
+#endif
+
 // SPIN_STEP over the fastest rate: the sphere's, the radius' and how fast Delta changes next to the horizon (more on the way out, where
 // the dragging is of use; on the way in a step must be able to pass the horizon). On its way out a ray ends its last step a little
 // beyond the sky at zeta = 0.
@@ -207,7 +221,7 @@ float spin_step_length(SpinRay ray, SpinState at, int left) {
     float slope = at.v.w;
     float delta = spin_delta(ray, zeta, spin_fine_of(at));
 #ifdef EFFECT_SPIN_FALL
-    float fall = at.ingoing ? 0.0 : slope * (0.5 - ray.a2c * zeta) / delta;
+    float fall = fall_slows(ray, at) ? slope * (0.5 - ray.a2c * zeta) / delta : 0.0;
 #else
     float fall = slope * (0.5 - ray.a2c * zeta) / delta;
 #endif
@@ -219,6 +233,9 @@ float spin_step_length(SpinRay ray, SpinState at, int left) {
     if (slope > 0.0 && SPIN_SHARE < 1.0) rate2 -= (1.0 - SPIN_SHARE * SPIN_SHARE) * fall * fall;   // short steps pass the horizon too
 #endif
     float h = SPIN_STEP * (1.0 + SPIN_GROWTH * max(float(SPIN_MOST_STEPS - SPIN_GROW_AFTER - left), 0.0)) * inversesqrt(rate2);
+#ifdef EFFECT_SPIN_FALL
+    h = ingoing_out(ray, at, h);
+#endif
     return slope < 0.0 ? min(h, -1.05 * zeta / slope) : h;
 }
 

@@ -13,6 +13,7 @@
 #include "mino/leaning.glsl"
 #else
 #define next_step(ray, from, h) spin_step(ray, from, h)
+#define state_turned(ray, now) now
 #endif
 
 struct SpinWalk {
@@ -80,6 +81,7 @@ SpinWalk walk_steps(SpinWalk walk, SpinRay ray) {
             walk.met.crosses = crosses;
             walk.met.near = walk.search.meets;
         }
+        walk.now = state_turned(ray, walk.now);
         walk.tau += h;
         walk.outside = comes_outside(walk.outside, walk.now.y.w, end);
         walk.going = spin_goes(walk.now.y.w, end, walk.left, walk.outside);

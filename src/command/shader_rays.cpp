@@ -323,10 +323,7 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
     if (!std::ranges::is_sorted(jobs, before)) std::ranges::stable_sort(jobs, before);
     Scene drawn = scene;
     const bool opaque = scene.disc && scene.disc->opacity >= 1.0;
-    if (!opaque) drawn.disc.reset();  // it ends no ray
-    if (disc_leans(scene) && run.crossings > 0 && (!opaque || !planes))
-        return bad_input("crossings of a disc that leans and is translucent, or about a rotating hole",
-                         "--with reference, or disc.opacity = 1 in a metric without rotation");
+    if (!opaque && !(run.crossings > 0 && disc_leans(scene))) drawn.disc.reset();  // it ends no ray
     if (run.tracer != "gl" && disc_leans(scene) && !planes)
         return bad_input("--with core64 and core32 have no disc that leans about a rotating hole", "reference or gl");
     const Sense sense = scene.disc ? sense_about(spacetime, scene.disc->sense) : Sense::kEastward;

@@ -206,7 +206,7 @@ double DiscLight::flux(double r) const {
 // omega = -g_tphi/g_phiphi:  -N^2 (p . u) = (E - omega L)(1 - omega l_z) - N^2 L l_z/g_phiphi + climb fall,
 // fall^2 = (E - omega L)^2 - N^2 (1 + L^2/g_phiphi).
 double DiscLight::g_infinity(const PhotonAtDisc& photon) const {
-    if (disc_.lean.tilt != 0 && metric_.a() != 0) {
+    if (leans()) {
         const double rate = metric_.leaning_rate(photon.r, sense_, disc_.lean.tilt);
         return 1 / (metric_.leaning_u_t(photon.r, rate, disc_.lean.tilt, photon.cosine) * (1 - rate * photon.l_z));
     }
@@ -247,13 +247,14 @@ Shift DiscLight::shift(const PhotonAtDisc& photon) const {
 // A straight ray that comes by a direction of sine L/r is what a geodesic of L/lapse is to matter at rest there.
 PhotonAtDisc DiscLight::met(const PhotonAtDisc& photon) const {
     return {photon.r, light_.lensing ? photon.l_z : photon.l_z / metric_.rest_lapse(photon.r), photon.climb,
-            photon.cosine};
+            photon.cosine, photon.across};
 }
 
 // By its direction to who has no angular momentum: radial part climb/(1 - omega l_z), azimuthal N l_z/(sqrt(g_phiphi)(1 - omega l_z)),
 // the rest along the normal. Matter sees that part of the momentum unchanged, and the frequency as Doppler's law has it between both.
 double DiscLight::cosine(const PhotonAtDisc& photon) const {
     const PhotonAtDisc seen = met(photon);
+    if (leans()) return std::clamp(seen.across * g_infinity(seen), 0.0, 1.0);
     const EquatorialMetric g = metric_.equator(seen.r);
     const double n2 = g.lapse2(), share = 1 + g.g_tphi / g.g_phiphi * seen.l_z, outward = seen.climb / share,
                  around2 = n2 * seen.l_z * seen.l_z / (g.g_phiphi * share * share);

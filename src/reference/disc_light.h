@@ -18,6 +18,7 @@ struct PhotonAtDisc {
     double l_z;         // angular momentum about the disc's axis over energy, r_s
     double climb;       // as PlaneCrossing
     double cosine = 0;  // of theta, of a disc that leans about a rotating hole
+    double across = 0;  // as PlaneCrossing; of such a disc
 };
 
 // Polarised fraction of what leaves an atmosphere of electrons that scatter by Thomson's law, across the normal, by the cosine of the angle to it;
@@ -58,6 +59,7 @@ private:
         double shed(double sum, double r) const;  // flux, by the integral of `gained` up to it
     };
     Circle circle(double r) const;
+    bool leans() const { return disc_.lean.tilt != 0 && metric_.a() != 0; }
     double apart(double r) const;  // of such, over r
     Circles circles(double r) const;
     Ring ring(double r) const;

@@ -129,7 +129,7 @@ std::vector<DiscHit> FrameTracer::disc_hits(const TracedRay& ray, int max_hits) 
     if (!disc_) return hits;
     for (const PlaneCrossing& c : ray.crossings(max_hits, disc_->inner, disc_->outer))
         hits.push_back(
-            {c.along, c.r * std::cos(c.bearing), c.r * std::sin(c.bearing), c.climb, c.delay, c.l, c.cosine});
+            {c.along, c.r * std::cos(c.bearing), c.r * std::sin(c.bearing), c.climb, c.delay, c.l, c.cosine, c.across});
     return hits;
 }
 

@@ -21,7 +21,7 @@ namespace nullscope::reference {
 
 // A place where a ray meets the disc, along the axes of its plane: x = r cos(bearing), y = r sin(bearing), in r_s. The rest: PlaneCrossing.
 struct DiscHit {
-    double along, x, y, climb, delay, l, cosine;
+    double along, x, y, climb, delay, l, cosine, across;
 };
 
 // How many rays are asked for at once: enough for the lanes of any machine, and few enough to be kept.

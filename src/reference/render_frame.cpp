@@ -198,7 +198,7 @@ Vec3 ray_colour(const Looks& looks, const TracedRay& ray) {
         matter.pass(hit.along, colour, through);
         Paint paint = pattern_at(looks, hit);
         if (looks.heat != nullptr) {
-            const PhotonAtDisc photon{std::hypot(hit.x, hit.y), hit.l, hit.climb, hit.cosine};
+            const PhotonAtDisc photon{std::hypot(hit.x, hit.y), hit.l, hit.climb, hit.cosine, hit.across};
             const Vec3 light = looks.heat->colour(photon, ray.g * looks.heat->shift(photon).seen(scene.light));
             paint.colour = {paint.colour.x * light.x, paint.colour.y * light.y, paint.colour.z * light.z};
         }

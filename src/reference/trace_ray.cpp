@@ -60,7 +60,7 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
         if (hit && c.along > hit->along) break;
         const bool shines = matter && c.r > horizon;
         record.crossings.push_back(
-            {c.r, c.phi, shines ? ray.g * matter->g_infinity({c.r, c.l, c.climb, c.cosine}) : kNotANumber});
+            {c.r, c.phi, shines ? ray.g * matter->g_infinity({c.r, c.l, c.climb, c.cosine, c.across}) : kNotANumber});
     }
     return record;
 }

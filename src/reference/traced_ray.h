@@ -34,6 +34,7 @@ struct PlaneCrossing {
     double l = 0;        // the photon's angular momentum about the plane's axis over its energy, r_s
     double bearing = 0;  // azimuth in the plane, from its x towards its y; of the equatorial one phi
     double cosine = 0;   // of theta, of a plane that leans about a rotating hole
+    double across = 0;   // and the part of its momentum along that plane's unit normal
 };
 
 // Where a ray enters a solid body.

@@ -39,7 +39,7 @@ public:
     virtual Start start(const FramePlan& plan, const Mat3& world) const { return {world, plan.observer.frame}; }
     // A ray of a list (shadercore/listed_ray.h) from this polar angle and azimuth; n: unit, in the observer's frame.
     virtual RayNumbers ray_numbers(const FramePlan& plan, double theta, double phi, Vec3 n) const;
-    // The camera's frequency over that in matter which such a ray meets in the equatorial plane. u: u^t, u^phi, g_rr u^r.
+    // The camera's frequency over that in matter which such a ray meets in the disc's plane. u: u^t, u^phi about the disc's axis, g_rr u^r.
     virtual double ray_g(const FramePlan& plan, const FrameData& frame, const RayNumbers& ray,
                          const ListedRay::Crossing& met, Vec3 u) const;
     // And that photon itself. number: which crossing it is, 1 for the first.

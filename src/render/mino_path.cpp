@@ -32,11 +32,13 @@ RayNumbers MinoPath::ray_numbers(const FramePlan& plan, double theta, double phi
 }
 
 // shaders/mino/disc.glsl, disc_g: the photon has the ray's constants with the other sign.
-double MinoPath::ray_g(const FramePlan&, const FrameData& frame, const RayNumbers& ray, const ListedRay::Crossing& met,
-                       Vec3 u) const {
+double MinoPath::ray_g(const FramePlan& plan, const FrameData& frame, const RayNumbers& ray,
+                       const ListedRay::Crossing& met, Vec3 u) const {
     const auto of = [&](const FrameVector& form) { return form.x + form.y * ray.ray.x + form.z * ray.ray.z; };
-    const double energy = -of(frame.spin_energy), momentum = -of(frame.spin_across) * ray.start.x;
-    return 1.0 / std::fmax(energy * u.x - momentum * u.y - met.climb * u.z, kLeastMinoFrequency);
+    const bool leans = plan.effects.contains(Effect::kDiscLean);
+    const double energy = -of(frame.spin_energy), momentum = leans ? met.climb : -of(frame.spin_across) * ray.start.x;
+    const double frequency = energy * u.x - momentum * u.y - met.climb * u.z;
+    return 1.0 / (frequency < kLeastMinoFrequency ? kLeastMinoFrequency : frequency);
 }
 
 // The root of Carter's constant in the plane: p_theta^2 + cos^2(theta) (L^2/sin^2(theta) - a^2 E^2). A ray that has left upward comes down first.

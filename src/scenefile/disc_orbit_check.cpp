@@ -10,6 +10,9 @@
 namespace nullscope {
 namespace {
 
+constexpr double kLeaningInner =
+    1.05;  // of the horizon's radius, seen by a camera that falls (reference/leaning_watch.cpp, mino/step.glsl)
+
 bool disc_flows(const DiscSpec& disc) {
     return disc.emission == DiscEmission::kThermal || disc.flow != DiscFlowKind::kStill;
 }
@@ -18,16 +21,15 @@ std::vector<SceneFault> leaning_faults(const Spacetime& spacetime, const Scene& 
     if (!disc_leans(scene) || !spacetime.rotates()) return {};
     const DiscSpec& disc = *scene.disc;
     std::vector<SceneFault> faults;
-    const auto refuse = [&](bool there, const char* key, const char* what, const char* allowed) {
+    const auto refuse = [&](bool there, const char* key, const char* what, const std::string& allowed) {
         if (there)
             faults.push_back(
                 {key, fmt::format("{}, and the disc leans about a rotating hole", what), allowed, "disc.tilt"});
     };
-    const bool thermal = disc.emission == DiscEmission::kThermal;
-    refuse(falls(scene.camera), "camera.observer", "the camera falls",
-           "static, zamo, carter or orbit, or disc.tilt = 0");
-    refuse(scene.camera.zoom.has_value(), "zoom.depth", "there is a zoom", "none, or disc.tilt = 0");
-    refuse(thermal && disc.effects.limb_darkening, "disc.limb_darkening", "it is on", "off, or disc.tilt = 0");
+    const double least = kLeaningInner * spacetime.horizon_radius().value_or(0.0);
+    refuse(falls(scene.camera) && disc.inner < least, "disc.inner",
+           "the camera falls, and sees light that winds round next to the horizon",
+           fmt::format("at least {:.6g}, or disc.tilt = 0", least));
     refuse(has_polarised_disc(scene), "disc.polarisation", "there is one", "off, or disc.tilt = 0");
     if (!faults.empty()) return faults;
     const auto check = [&](const char* key, double inner, double outer, OrbitSense sense) {

@@ -16,7 +16,7 @@ struct RayNumbers {
     FrameVector ray;       // FrameData::ray_0
 };
 
-// Crossings of the equatorial plane that are told at once: from number `first` on (0 is the ray's first), at most `most` of them.
+// Crossings of the disc's plane that are told at once: from number `first` on (0 is the ray's first), at most `most` of them.
 inline constexpr int kListedCrossings = 4;
 struct ListedCrossings {
     int first = 0, most = 0;
@@ -25,8 +25,10 @@ struct ListedCrossings {
 struct ListedRay {
     RayPixel end;  // without place, delay where nothing tells it is 0
     struct Crossing {
-        double x, y;   // r_s
-        double climb;  // d zeta/d phi; about a rotating hole d zeta/d tau, of Mino's time
+        double x, y;  // r_s
+        double
+            climb;  // d zeta/d phi; about a rotating hole d zeta/d tau, of Mino's time, or of a disc that leans the photon's
+                    // momentum about its axis, per frequency in the observer's frame
     };
     std::array<Crossing, kListedCrossings> crossings;
     int count = 0;      // of them that are there

@@ -67,7 +67,7 @@ void Probe::meet_disc(const reference::TracedRay& ray, const reference::DiscHit&
     facts.hit = kDiscHit;
     facts.hit_r = std::hypot(hit.x, hit.y);
     if (!matter_) return;
-    const reference::Shift matter = matter_->shift({facts.hit_r, hit.l, hit.climb, hit.cosine});
+    const reference::Shift matter = matter_->shift({facts.hit_r, hit.l, hit.climb, hit.cosine, hit.across});
     facts.shift = reference::Shift{ray.shift.gravity * matter.gravity, ray.shift.doppler * matter.doppler};
 }
 

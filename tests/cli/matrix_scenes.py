@@ -206,8 +206,6 @@ REFUSED = [
     ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MOVING, "switch": set(SWITCHES) - {"delay"}}, "is not available in"),
     ({"metric": {"kerr"}, "thing": {"matter-grid"}, "extra": {"split-metric", "split-delay"}}, "its matter is about a hole"),
     ({"metric": ROTATING, "thing": {"ball-geodesic"}}, "free fall of balls is not supported"),
-    ({"metric": ROTATING, "thing": {"disc-leaning"}, "camera": {"rain", "fall", "throw"}}, "the disc leans about a rotating hole"),
-    ({"metric": ROTATING, "thing": {"disc-leaning"}, "extra": {"zoom"}}, "the disc leans about a rotating hole"),
     ({"metric": ROTATING, "switch": PARTS}, "off, which is not supported about a rotating hole"),
     ({"metric": {"ellis", "dneg", "formula-abr", "jnw"}, "camera": {"orbit", "counter-orbit"}}, "no circular orbit"),
     ({"metric": {"minkowski", "naked", "neutron-star", "dneg"}, "extra": {"zoom"}}, "photon sphere|in the tube"),

@@ -419,6 +419,31 @@ class ShaderText(TraceTest):
                         if exact[g] and g == "g_1" and number(exact["r_1"]) > 1.3:
                             self.assertAlmostEqual(number(row[g]) / number(exact[g]), 1, delta=SHIFT, msg=name)
 
+    def test_crossings_of_discs_that_lean(self):
+        dice = random.Random(4)
+        rays = [(dice.choice((12, 40)), dice.choice((0.5, 1.4, 2.2)), dice.uniform(-3, 3), -1, dice.uniform(-0.35, 0.35), dice.uniform(-0.35, 0.35))
+                for _ in range(120)]
+        text = write_csv(rays, ["r", "theta", "phi", "n_r", "n_theta", "n_phi"])
+        for space in ("", 'metric = "kerr"\nspin = -0.6\n'):
+            for opacity in (0.5, 1):
+                scene = self.write("leaning.toml", f'[spacetime]\n{space}[disc]\ninner = 4\nouter = 12\nopacity = {opacity}\nemission = "thermal"\ntilt = 40\nnode = 30\n')
+                reference = self.trace(text, "--crossings", "2", scene=scene)
+                for tracer in ("gl",) if space else self.tracers():
+                    met, most = 0, 0.0
+                    for row, exact in zip(self.trace(text, "--crossings", "2", "--with", tracer, scene=scene), reference):
+                        self.assertEqual(row["fate"], exact["fate"])
+                        # The second crossing's place moves fast with the direction.
+                        if exact["r_1"] and number(exact["r_1"]) > 1.5:
+                            met += 1
+                            turned = math.remainder(number(row["phi_1"]) - number(exact["phi_1"]), 2 * math.pi)
+                            self.assertLess(abs(number(row["r_1"]) / number(exact["r_1"]) - 1), 5e-5)
+                            self.assertLess(abs(turned), 1e-5)
+                            if number(exact["r_1"]) > 3:   # nearer than any disc may be, some of its matter would outrun light
+                                most = max(most, abs(number(row["g_1"]) / number(exact["g_1"]) - 1))
+                    self.report(f"{tracer}, {space or 'no spin'}, opacity {opacity}: {met} crossings of a leaning plane, g within {most:.1e}")
+                    self.assertGreater(met, 80)
+                    self.assertLess(most, SHIFT)
+
     def test_rays_that_wind(self):
         """More crossings than one draw lists, next to the critical direction."""
         critical, step, rays, moved = math.asin(1.5 * math.sqrt(3) / 20 * math.sqrt(1 - 1 / 20)), 1e-9, [], []

@@ -87,6 +87,7 @@ struct LimbDarkeningView {
     Vec3 velocity;
     Switches part;
     double opacity;
+    DiscLean lean{};
 };
 
 Scene scene_of(const LimbDarkeningView& view) {
@@ -104,6 +105,7 @@ Scene scene_of(const LimbDarkeningView& view) {
     disc.emission = DiscEmission::kThermal;
     disc.inner = 1.4, disc.outer = 14, disc.opacity = view.opacity;
     disc.effects.limb_darkening = true;
+    if (view.lean.tilt != 0) disc.lean = view.lean, disc.inner = 3;  // where no circle of it outruns light
     scene.light.doppler = view.part.doppler, scene.light.gravity = view.part.gravity,
     scene.light.lensing = view.part.lensing;
     return scene;
@@ -145,7 +147,7 @@ void measure(GpuSession& session, const DrawnLaw& law, const LimbDarkeningView& 
             whole = whole && beside.size() == 1 && std::abs(std::hypot(beside[0].x, beside[0].y) - r) < 1.0;
         }
         if (!whole) continue;
-        const reference::PhotonAtDisc photon{r, ray->l_z, hits[0].climb};
+        const reference::PhotonAtDisc photon{r, hits[0].l, hits[0].climb, hits[0].cosine, hits[0].across};
         const double ratio = static_cast<double>(picture.at(x, y)[1]) / plain.at(x, y)[1],
                      cosine = light.cosine(photon);
         const double g = ray->g * light.shift(photon).seen(scene.light);
@@ -183,6 +185,7 @@ TEST_CASE("limb darkening: cosine and light are the reference's, at rest and mov
     views.push_back({schwarzschild, 70.0, rest, {}, 0.6});
     for (const double theta : {30.0, 75.0, 100.0})
         for (const Vec3 velocity : {moving, rest}) views.push_back({kerr, theta, velocity, {}, 1.0});
+    for (const double tilt : {0.5, 2.0}) views.push_back({kerr, 60.0, moving, {}, 1.0, {tilt, 0.7}});
     on_one_context([&](GpuSession& session) {
         const DrawnLaw law;
         LimbDarkeningWorst worst;
