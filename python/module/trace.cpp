@@ -1,13 +1,17 @@
 // Lists of rays: columns of NumPy arrays in, rows of a structured array out, both where they are.
 #include <fmt/format.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <iterator>
 #include <memory>
+#include <optional>
 
 #include "command/ray_curves.h"
 #include "command/ray_fields.h"
@@ -169,9 +173,9 @@ void trace(const Scene& scene, const nb::dict& rays, const Bytes& out, const cli
     });
 }
 
-// Rows of points: ray, point, lambda to t_rate. NaN of rays without a curve.
+// Rows of points: ray, point, lambda to t_rate. NaN of rays without a curve. to: r, theta, Mino's time where curves end.
 void curves(const Scene& scene, const nb::dict& rays, nb::ndarray<double, nb::ndim<3>, nb::c_contig, nb::device::cpu> out,
-            double farthest, const nb::object& progress) {
+            double farthest, const std::array<std::optional<double>, 3>& to, const nb::object& progress) {
     constexpr double reference::CurvePoint::*kNumbers[] = {
         &reference::CurvePoint::affine,     &reference::CurvePoint::r,        &reference::CurvePoint::theta,
         &reference::CurvePoint::phi,        &reference::CurvePoint::t,        &reference::CurvePoint::r_rate,
@@ -186,13 +190,14 @@ void curves(const Scene& scene, const nb::dict& rays, nb::ndarray<double, nb::nd
         std::fill_n(data, count * points * std::size(kNumbers), kNotANumber);
         std::size_t found = 0;
         const cli::CurveOutput output{[&](std::size_t i, cli::Curve&& curve) {
-                                          double* to = data + i * points * std::size(kNumbers);
+                                          double* next = data + i * points * std::size(kNumbers);
                                           for (const reference::CurvePoint& point : curve)
-                                              for (const auto number : kNumbers) *to++ = point.*number;
+                                              for (const auto number : kNumbers) *next++ = point.*number;
                                           if (!curve.empty()) ++found;
                                       },
                                       listener.progress("rays", static_cast<long long>(count)), of_ray};
-        TRY(done, cli::trace_curves(scene, spacetime->length_unit(), *queries, {static_cast<int>(points), farthest}, output));
+        TRY(done, cli::trace_curves(scene, spacetime->length_unit(), *queries,
+                                   {static_cast<int>(points), farthest, to[0], to[1], to[2]}, output));
         const std::string note = cli::no_curve_note(count - found, count, farthest);
         if (!note.empty()) listener.note(note);
         return Done{};
@@ -225,7 +230,8 @@ void add_trace(nb::module_& m) {
         },
         nb::arg("scene"), nb::arg("rays"), nb::arg("out"), nb::arg("with_"), nb::arg("method"), nb::arg("context"),
         nb::arg("crossings"), nb::arg("progress").none());
-    m.def("curves", &curves, nb::arg("scene"), nb::arg("rays"), nb::arg("out"), nb::arg("far"), nb::arg("progress").none());
+    m.def("curves", &curves, nb::arg("scene"), nb::arg("rays"), nb::arg("out"), nb::arg("far"), nb::arg("to"),
+          nb::arg("progress").none());
     m.def(
         "crossing_columns",
         [](const Scene& scene) {

@@ -97,10 +97,13 @@ def trace(scene: SceneLike, rays: np.ndarray | Mapping, with_: str = "reference"
     return out
 
 
-def trace_curves(scene: SceneLike, rays: np.ndarray | Mapping, points: int = 200, *, far: float = 100.0, progress: Progress = None) -> np.ndarray:
+def trace_curves(scene: SceneLike, rays: np.ndarray | Mapping, points: int = 200, *, far: float = 100.0, to_r: float | None = None, to_theta: float | None = None,
+                 to_mino: float | None = None, progress: Progress = None) -> np.ndarray:
     """Light rays as curves of `points` points each, by the reference, as `nullscope trace --points` writes them (docs/ray-data.md, "Curves").
 
     rays: as trace() takes them. far: radius beyond which curves are left out, r_s (wormholes: the throat's radius).
+    to_r, to_theta, to_mino: a curve ends where it first has this r (r_s; wormholes: l), polar angle (rad), or Mino's time after its first
+    point (1/r_s), if it comes there.
     Returns a structured array, shape (n, points): lambda (affine parameter), r (r_s), theta, phi (rad), t (r_s/c) and their derivatives by
     lambda, r_rate, theta_rate, phi_rate, t_rate. NaN, and a warning, where a ray has no curve.
     """
@@ -111,8 +114,13 @@ def trace_curves(scene: SceneLike, rays: np.ndarray | Mapping, points: int = 200
         raise _core.Error(f"far: {far} is no radius; allowed: a number from 0.001 to 1e9")
     if count * points > 50_000_000:
         raise _core.Error(f"{count} rays of {points} points are too many; allowed: 5e+07 points in all")
+    ends = []
+    for name, value, low, high in (("to_r", to_r, -1e9, 1e9), ("to_theta", to_theta, 0.0, np.pi), ("to_mino", to_mino, 1e-9, 1e9)):
+        if value is not None and (isinstance(value, bool) or not isinstance(value, (int, float, np.number)) or not low <= value <= high):
+            raise _core.Error(f"{name}: {value} is out of range; allowed: None, or a number from {low:.6g} to {high:.6g}")
+        ends.append(None if value is None else float(value))
     out = np.empty((count, int(points), len(_CURVE)))
-    _core.curves(given, columns, out, float(far), progress)
+    _core.curves(given, columns, out, float(far), tuple(ends), progress)
     return out.view([(name, "f8") for name in _CURVE])[:, :, 0]
 
 

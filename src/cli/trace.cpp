@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Options : TraceOptions {
     std::string scene, rays, output;
     int points = 0;  // of each ray as a curve; 0: rays as rows
     double far = reference::CurveSpec{}.farthest;
+    std::optional<double> to_r, to_theta, to_mino;
     CurveForm form;
 };
 
@@ -36,9 +38,12 @@ Status write(const Options& options, const std::string& text) {
 }
 
 Status check_curve_options(const Options& options) {
-    const bool asked = options.form.cartesian || options.form.rates || options.far != reference::CurveSpec{}.farthest;
+    const bool ends =
+        options.far != reference::CurveSpec{}.farthest || options.to_r || options.to_theta || options.to_mino;
     if (options.points == 0) {
-        if (asked) return bad_input("--cartesian, --rates and --far are of curves", "with --points N");
+        if (options.form.cartesian || options.form.rates || ends)
+            return bad_input("--cartesian, --rates, --far, --to-r, --to-theta and --to-mino are of curves",
+                             "with --points N");
         if (ends_in_obj(options.output))
             return bad_input(fmt::format("-o {}: a polyline needs points", options.output), "--points N, or a .csv");
         return Done{};
@@ -59,7 +64,9 @@ Status write_curves(const Options& options, const Scene& scene, const Spacetime&
         const CurveOutput output{[&](std::size_t i, Curve&& curve) { curves[i] = std::move(curve); },
                                  [&](long long n) { progress.advance(n); },
                                  [&](std::size_t i, const Error& error) { return ray_error(table, i, error); }};
-        TRY(traced, trace_curves(scene, spacetime.length_unit(), table.queries, {options.points, options.far}, output));
+        TRY(traced,
+            trace_curves(scene, spacetime.length_unit(), table.queries,
+                         {options.points, options.far, options.to_r, options.to_theta, options.to_mino}, output));
     }
     const auto without = std::ranges::count_if(curves, [](const Curve& curve) { return curve.empty(); });
     const std::string note = no_curve_note(static_cast<std::size_t>(without), curves.size(), options.far);
@@ -126,6 +133,12 @@ void add_trace(Command& parent) {
         "writes polylines");
     number_option(command, "--far", options.far, 1e-3, 1e9,
                   "With --points: radius beyond which curves are left out, r_s (wormholes: the throat's radius)");
+    number_option(command, "--to-r", options.to_r, -1e9, 1e9,
+                  "With --points: a curve ends where it first has this r, r_s (wormholes: l, in the throat's radius)");
+    number_option(command, "--to-theta", options.to_theta, 0, 3.141592653589793,
+                  "With --points: ... this polar angle, rad");
+    number_option(command, "--to-mino", options.to_mino, 1e-9, 1e9,
+                  "With --points: ... this of Mino's time after its first point, 1/r_s");
     command.add_flag("--cartesian", &options.form.cartesian, "With --points: x, y, z instead of r, theta, phi");
     command.add_flag("--rates", &options.form.rates, "With --points: derivatives by lambda too");
 }

@@ -12,7 +12,9 @@ Status trace_curves(const Scene& scene, double length_unit, std::span<const RayQ
         return bad_input(fmt::format("{} rays of {} points are too many", rays.size(), spec.points),
                          fmt::format("{:g} points in all", kMostPointsInAll));
     TRY(tracer, reference::CurveTracer::make(scene));
-    const reference::CurveSpec asked{spec.points, spec.farthest * length_unit};
+    reference::CurveSpec asked{spec.points, spec.farthest * length_unit, spec.to_r, spec.to_theta, spec.to_mino};
+    if (asked.to_r) *asked.to_r *= length_unit;
+    if (asked.to_mino) *asked.to_mino /= length_unit;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         auto curve = tracer->curve(rays[i], asked);
         if (!curve) return output.error(i, curve.error());

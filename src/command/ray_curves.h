@@ -25,7 +25,7 @@ struct CurveOutput {
     std::function<Error(std::size_t ray, Error)> error;
 };
 
-// farthest: in Spacetime::length_unit. Errors: too many points in all; as trace_rays with the reference.
+// Lengths of spec: in Spacetime::length_unit. Errors: too many points in all; as trace_rays with the reference.
 Status trace_curves(const Scene& scene, double length_unit, std::span<const RayQuery> rays,
                     const reference::CurveSpec& spec, const CurveOutput& output);
 

@@ -106,6 +106,10 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
 
 RayPtr FrameTracer::ray(double x, double y) const { return rays_->ray(pixel_direction(camera_, x, y)); }
 
+void FrameTracer::stretches(double x, double y, double energy, const StretchWatch& watch) const {
+    rays_->stretches(pixel_direction(camera_, x, y), energy, watch);
+}
+
 RayPtr FrameTracer::ray_of_many(double x, double y) const { return many_rays_->ray(pixel_direction(camera_, x, y)); }
 
 std::optional<RayStokes> FrameTracer::stokes(double x, double y) const {

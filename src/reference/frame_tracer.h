@@ -35,6 +35,8 @@ public:
     // Pixel position: column, row from the top, centres at +0.5. In a plane about a microsecond, else 30 and its
     // looks at bodies. The tracer outlives it.
     RayPtr ray(double x, double y) const;
+    // Of a ray that stays in no plane, of this energy at infinity for a photon of unit frequency in the camera; in a plane none.
+    void stretches(double x, double y, double energy, const StretchWatch& watch) const;
     // The same of many positions, in their order: those that are integrated several at a time.
     std::vector<RayPtr> rays(const std::vector<std::array<double, 2>>& positions) const;
     // The same for as many of the camera's rays as there are stars.

@@ -113,6 +113,23 @@ private:
     const RayTask& task_;
 };
 
+// A step as a part of a curve; energy: of a photon of unit frequency in the camera.
+void show_stretch(const KerrHole& hole, const KerrStep& step, double energy, const StretchWatch& watch) {
+    watch({step.from, step.to, step.to - step.from,
+           [&](double along) {
+               const KerrMotion by = step.motion(along);
+               const KerrPlace& at = by.place;
+               const double sine = std::sin(at.theta), x = kerr_distance(hole, at.r, sine);
+               const double turn = x * x * std::hypot(by.theta, sine * by.phi);
+               const double sigma = at.r * at.r + std::pow(hole.a * std::cos(at.theta), 2);
+               return StretchPlace{at.r, at.theta, at.phi, x, 1, energy * x * x, turn, -at.delay, 0, sigma};
+           },
+           [&](double along) {
+               const KerrMotion by = step.motion(along);
+               return StretchMotion{by.r / energy, by.theta / energy, by.phi / energy, by.t / energy};
+           }});
+}
+
 class KerrRays final : public RayFamily {
 public:
     KerrRays(const KerrHole& hole, const CameraSpec& camera, const Tetrad& tetrad, const RayTask& task)
@@ -127,6 +144,10 @@ private:
     RayPtr trace(const Photon& p) const override {
         Watches watches(hole_, task_);
         return watches.ray(trace_kerr(hole_, photon(p), equatorial(task_), falls(camera_), watches.watch));
+    }
+    void stretch_along(const Photon& p, double energy, const StretchWatch& watch) const override {
+        trace_kerr(hole_, photon(p), 0, falls(camera_),
+                   [&](const KerrStep& step) { show_stretch(hole_, step, energy, watch); });
     }
     std::vector<RayPtr> trace_all(const std::vector<Photon>& all) const override {
         std::vector<KerrPhoton> photons;
@@ -189,20 +210,8 @@ public:
             trace_kerr(hole_, KerrStart{query.r, query.theta, query.phi, query.n}, equatorial(task), watches.watch));
     }
     void stretches(const RayQuery& query, double energy, const StretchWatch& watch) const override {
-        trace_kerr(hole_, KerrStart{query.r, query.theta, query.phi, query.n}, 0, [&](const KerrStep& step) {
-            watch({step.from, step.to, step.to - step.from,
-                   [&](double along) {
-                       const KerrMotion by = step.motion(along);
-                       const KerrPlace& at = by.place;
-                       const double sine = std::sin(at.theta), x = kerr_distance(hole_, at.r, sine);
-                       const double turn = x * x * std::hypot(by.theta, sine * by.phi);
-                       return StretchPlace{at.r, at.theta, at.phi, x, 1, energy * x * x, turn, -at.delay, 0};
-                   },
-                   [&](double along) {
-                       const KerrMotion by = step.motion(along);
-                       return StretchMotion{by.r / energy, by.theta / energy, by.phi / energy, by.t / energy};
-                   }});
-        });
+        trace_kerr(hole_, KerrStart{query.r, query.theta, query.phi, query.n}, 0,
+                   [&](const KerrStep& step) { show_stretch(hole_, step, energy, watch); });
     }
 
 private:

@@ -56,7 +56,8 @@ RayStretch swept_stretch(const PlaneRay& ray, const Spacetime& spacetime, double
                             rate,
                             1,
                             0,
-                            timed ? -rate / here.a : kNotANumber};
+                            timed ? -rate / here.a : kNotANumber,
+                            here.across * here.across};
     };
     const auto motion = [&ray, &spacetime, l, timed](double angle) {
         const Radial here(spacetime, ray.radius_at(angle));
@@ -93,7 +94,8 @@ RayStretch radial_stretch(const PlaneRay& ray, const Spacetime& spacetime, doubl
                             rate,
                             0,
                             0,
-                            timed ? -rate / here.a : kNotANumber};
+                            timed ? -rate / here.a : kNotANumber,
+                            here.across * here.across};
     };
     const auto motion = [=, &spacetime](double along) {
         const Radial here(spacetime, place_of(along));

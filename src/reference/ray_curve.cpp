@@ -9,6 +9,7 @@
 #include "reference/bodies.h"
 #include "reference/plane_stretch.h"
 #include "reference/ray_stretch.h"
+#include "scene/leaning_disc.h"
 #include "spacetime/registry.h"
 
 namespace nullscope::reference {
@@ -23,15 +24,15 @@ constexpr int kDiscCrossings =
 
 // Integrals along a ray.
 struct Sums {
-    double affine = 0, even = 0, t = 0;
+    double affine = 0, even = 0, t = 0, mino = 0;
     Sums& operator+=(const Sums& more) {
-        affine += more.affine, even += more.even, t += more.t;
+        affine += more.affine, even += more.even, t += more.t, mino += more.mino;
         return *this;
     }
 };
 Sums rates(const StretchPlace& place) {
-    return {place.affine_rate, std::hypot(place.affine_rate / std::hypot(place.size, 1), place.turn_rate),
-            place.t_rate};
+    return {place.affine_rate, std::hypot(place.affine_rate / std::hypot(place.size, 1), place.turn_rate), place.t_rate,
+            place.affine_rate / place.sigma};
 }
 
 Sums between(const RayStretch& stretch, double low, double high) {
@@ -41,7 +42,7 @@ Sums between(const RayStretch& stretch, double low, double high) {
         for (const double side : {-1.0, 1.0}) {
             const Sums rate = rates(stretch.at(middle + side * half * TenPlaces::abscissa()[i]));
             const double weight = half * TenPlaces::weights()[i];
-            sums += {weight * rate.affine, weight * rate.even, weight * rate.t};
+            sums += {weight * rate.affine, weight * rate.even, weight * rate.t, weight * rate.mino};
         }
     return sums;
 }
@@ -49,7 +50,40 @@ Sums between(const RayStretch& stretch, double low, double high) {
 // What a ray is within.
 struct Bounds {
     double farthest, least, last;  // r; r of a captured ray's end; along
+    CurveSpec spec;
 };
+
+// Where in a piece a coordinate first has a value, or `to`: also where it comes there and turns back.
+template <class Coordinate, class Rate>
+double first_at(const RayStretch& stretch, double from, double to, double value, Coordinate coordinate, Rate rate) {
+    const auto off = [&](double along) { return coordinate(stretch.at(along)) - value; };
+    const auto rises = [&](double along) { return rate(stretch.motion(along)) > 0; };
+    constexpr double kOff = 1e-6;  // of the piece: a ray that begins there leaves it first
+    const double start = off(from) == 0 ? from + kOff * (to - from) : from;
+    const bool above = off(start) > 0;
+    const auto beyond = [&](double along) { return (off(along) > 0) != above; };
+    double low = start, high = to;
+    if (!beyond(high)) {
+        if (rises(low) != above && rises(high) == above) {
+            for (int i = 0; i < kPieceHalvings && !beyond(high); ++i) {  // the nearest that it comes
+                const double middle = 0.5 * (low + high);
+                if (!(middle > low && middle < high)) return to;
+                if (beyond(middle))
+                    high = middle;
+                else
+                    (rises(middle) == above ? high : low) = middle;
+            }
+            low = start;
+        }
+        if (!beyond(high)) return to;
+    }
+    for (int i = 0; i < kPieceHalvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        if (!(middle > low && middle < high)) break;
+        (beyond(middle) ? high : low) = middle;
+    }
+    return high;
+}
 
 // The first look at a ray: how long it is, in pieces that are smooth.
 class CurveLength {
@@ -113,9 +147,36 @@ private:
         }
         if (bounds_.least > 0 && piece.end.r < bounds_.least) to = passes(stretch, piece, bounds_.least), ended_ = true;
         if (to >= bounds_.last) ended_ = true;
+        to = stopped(stretch, from, to);
         if (!(to > from)) return;
         Sums sums = nodes_.back().sums;
         nodes_.push_back({to, sums += between(stretch, from, to), rates(stretch.at(to)).even});
+    }
+    // Where the curve is asked to end, if that is before `to`.
+    double stopped(const RayStretch& stretch, double from, double to) {
+        const CurveSpec& spec = bounds_.spec;
+        const double whole = to;
+        if (spec.to_r)
+            to = first_at(
+                stretch, from, to, *spec.to_r, [](const StretchPlace& p) { return p.r; },
+                [](const StretchMotion& m) { return m.r; });
+        if (spec.to_theta && to > from)
+            to = first_at(
+                stretch, from, to, *spec.to_theta, [](const StretchPlace& p) { return p.theta; },
+                [](const StretchMotion& m) { return m.theta; });
+        if (spec.to_mino && to > from) to = at_mino(stretch, from, to, *spec.to_mino - nodes_.back().sums.mino);
+        ended_ = ended_ || to < whole;
+        return to;
+    }
+    static double at_mino(const RayStretch& stretch, double from, double to, double left) {
+        if (between(stretch, from, to).mino < left) return to;
+        double low = from, high = to;
+        for (int i = 0; i < kPieceHalvings; ++i) {
+            const double middle = 0.5 * (low + high);
+            if (!(middle > low && middle < high)) break;
+            (between(stretch, from, middle).mino < left ? low : high) = middle;
+        }
+        return high;
     }
 
     Bounds bounds_;
@@ -167,6 +228,16 @@ private:
     double t0_ = 0;
 };
 
+using Walk = std::function<void(const StretchWatch&)>;
+std::vector<CurvePoint> points_along(const Walk& walk, const Bounds& bounds) {
+    CurveLength length(bounds);
+    walk([&](const RayStretch& stretch) { length.look(stretch); });
+    if (!length.whole()) return {};
+    CurvePoints points(length.nodes(), bounds.spec.points);
+    walk([&](const RayStretch& stretch) { points.look(stretch); });
+    return std::move(points).take();
+}
+
 struct End {
     double along = kNowhere, r = kNowhere;
 };
@@ -207,12 +278,13 @@ Result<CurveTracer> CurveTracer::make(const Scene& scene) {
 
 Result<std::vector<CurvePoint>> CurveTracer::curve(const RayQuery& query, const CurveSpec& spec) const {
     const Parts& p = *parts_;
-    const RayTask task{p.bodies.get(), p.scene.light.delay, false, p.scene.disc ? kDiscCrossings : 0};
+    RayTask task{p.bodies.get(), p.scene.light.delay, false, p.scene.disc ? kDiscCrossings : 0};
+    task.plane = disc_plane_of(p.scene);
     TRY(traced, p.metric->ray(query, task));
     const End end = first_end(**traced, p.scene);
-    Bounds bounds{spec.farthest, 0, end.along};
+    Bounds bounds{spec.farthest, 0, end.along, spec};
     if (const auto horizon = p.spacetime->horizon_radius()) bounds.least = *horizon * (1 + kCurveAbove);
-    std::function<void(const StretchWatch&)> walk;
+    Walk walk;
     std::optional<PlaneStretch> flat;
     if (const PlaneRay* plane = (*traced)->in_plane()) {
         flat = plane_stretch(*plane, query, *p.spacetime, end.along, end.r);
@@ -225,12 +297,15 @@ Result<std::vector<CurvePoint>> CurveTracer::curve(const RayQuery& query, const 
         if (query.r < bounds.least) bounds.least = 0;
         walk = [&](const StretchWatch& watch) { p.metric->stretches(query, 1 / (*traced)->g, watch); };
     }
-    CurveLength length(bounds);
-    walk([&](const RayStretch& stretch) { length.look(stretch); });
-    if (!length.whole()) return std::vector<CurvePoint>();
-    CurvePoints points(length.nodes(), spec.points);
-    walk([&](const RayStretch& stretch) { points.look(stretch); });
-    return std::move(points).take();
+    return points_along(walk, bounds);
+}
+
+std::vector<CurvePoint> pixel_curve(const FrameTracer& tracer, const Spacetime& spacetime, const PixelOnCurve& pixel,
+                                    const CurveSpec& spec) {
+    if (!(pixel.g > 0)) return {};
+    const double least = spacetime.horizon_radius().value_or(0.0) * (1 + kCurveAbove);
+    return points_along([&](const StretchWatch& watch) { tracer.stretches(pixel.x, pixel.y, 1 / pixel.g, watch); },
+                        {spec.farthest, pixel.camera_r < least ? 0 : least, pixel.end, spec});
 }
 
 }  // namespace nullscope::reference

@@ -1,9 +1,11 @@
 // A ray as a curve: points along it, of every metric, for drawings, models and checks of constants of motion.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/result.h"
+#include "reference/frame_tracer.h"
 #include "reference/metric.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
@@ -22,6 +24,9 @@ struct CurvePoint {
 struct CurveSpec {
     int points;             // 2 or more
     double farthest = 100;  // r_s: what is farther from the centre is left out, at both ends
+    // Where curves end, if they come there: at this r, r_s, or l; this polar angle, rad; this of Mino's time after the first point, 1/r_s
+    // (d(affine) = Sigma d(Mino)). To some roundings.
+    std::optional<double> to_r{}, to_theta{}, to_mino{};
 };
 
 // The scene's metric, opaque disc and bodies, which end rays.
@@ -42,5 +47,15 @@ private:
     struct Parts;
     std::unique_ptr<const Parts> parts_;
 };
+
+// Of a camera's ray that stays in no plane, by what its tracer says of it.
+struct PixelOnCurve {
+    double x, y, camera_r;  // px; r_s
+    double g;               // of the traced ray
+    double end;             // along, of what ends it; infinite: nothing
+};
+// Empty as CurveTracer::curve, and for rays in planes. spacetime: of the tracer's scene.
+std::vector<CurvePoint> pixel_curve(const FrameTracer& tracer, const Spacetime& spacetime, const PixelOnCurve& pixel,
+                                    const CurveSpec& spec);
 
 }  // namespace nullscope::reference

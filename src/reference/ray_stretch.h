@@ -15,6 +15,8 @@ struct StretchPlace {
     double turn_rate;    // how fast it goes round the centre, by `along`, rad
     double t = 0;        // the time here is this and the integral of
     double t_rate = 0;   // this by `along`
+    double sigma =
+        1;  // d(affine) = sigma d(Mino's time): r^2 + a^2 cos^2(theta), without rotation the areal radius squared
 };
 struct StretchMotion {
     double r, theta, phi, t;  // by the affine parameter, away from the camera

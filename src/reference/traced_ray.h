@@ -13,6 +13,7 @@
 
 #include "base/vec.h"
 #include "observer/pose.h"
+#include "reference/ray_stretch.h"
 #include "reference/seen_light.h"
 #include "scene/disc_plane.h"
 #include "scene/ray.h"
@@ -131,6 +132,10 @@ public:
         for (const Vec3& direction : directions) photons.push_back(photon(direction));
         return trace_all(photons);
     }
+    // The stretches of a ray that stays in no plane, traced anew; energy: as Metric::stretches.
+    void stretches(Vec3 direction, double energy, const StretchWatch& watch) const {
+        stretch_along(photon(direction), energy, watch);
+    }
     virtual const PlaneRays* in_plane() const { return nullptr; }  // the family, if its rays stay in planes
 
 protected:
@@ -150,6 +155,7 @@ protected:
 
 private:
     virtual RayPtr trace(const Photon& p) const = 0;
+    virtual void stretch_along(const Photon&, double, const StretchWatch&) const {}
     virtual std::vector<RayPtr> trace_all(const std::vector<Photon>& photons) const {
         std::vector<RayPtr> rays;
         rays.reserve(photons.size());

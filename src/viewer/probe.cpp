@@ -10,6 +10,7 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr int kPathPoints = 400;
+constexpr double kPathReach = 3;  // of the camera's radius
 
 // end: the swept angle where it ends, at what it meets or beyond all.
 PotentialRay potential_ray(const reference::PlaneRay& plane, double end, const Scene& scene,
@@ -60,7 +61,7 @@ bool Probe::follow(const Scene& scene) {
 void Probe::look(const Scene& scene, double x, double y) {
     facts_.reset();
     if (x < 0 || y < 0 || x >= scene.camera.width || y >= scene.camera.height || !follow(scene)) return;
-    facts_ = facts_of(*tracer_->ray(x, y));
+    facts_ = facts_of(*tracer_->ray(x, y), x, y);
 }
 
 void Probe::meet_disc(const reference::TracedRay& ray, const reference::DiscHit& hit, ProbeFacts& facts) const {
@@ -71,13 +72,25 @@ void Probe::meet_disc(const reference::TracedRay& ray, const reference::DiscHit&
     facts.shift = reference::Shift{ray.shift.gravity * matter.gravity, ray.shift.doppler * matter.doppler};
 }
 
-ProbeFacts Probe::facts_of(const reference::TracedRay& ray) const {
+// Places on the curve of nullscope trace --points, projected; the camera's azimuth, without it of where light begins, is to the right.
+void Probe::see_from_pole(double x, double y, double end, double g, ProbeFacts& facts) const {
+    const CameraSpec& camera = scene_.camera;
+    const reference::CurveSpec spec{kPathPoints, kPathReach * camera.r};
+    const auto curve = reference::pixel_curve(*tracer_, *spacetime_, {x, y, camera.r, g, end}, spec);
+    if (!curve.empty()) facts.windings = std::fabs(curve.back().phi - curve.front().phi) / (2 * M_PI);
+    for (const reference::CurvePoint& point : curve) {
+        const double across = point.r * std::sin(point.theta), round = point.phi - curve.front().phi;
+        facts.path.push_back({across * std::cos(round), across * std::sin(round), point.r});
+    }
+}
+
+ProbeFacts Probe::facts_of(const reference::TracedRay& ray, double x, double y) const {
     ProbeFacts facts;
     facts.fate = ray.fate();
     facts.zeta0 = 1 / spacetime_->areal_radius(scene_.camera.r);
     facts.shift = ray.shift;
     const reference::PlaneRay* plane = ray.in_plane();
-    double end = ray.end();
+    double end = plane ? ray.end() : reference::kNowhere;
     const auto hits = tracer_->disc_hits(ray, 1);
     const auto body = ray.first_hit();
     if (!hits.empty() && !(body && body->along < hits.front().along)) {
@@ -96,7 +109,10 @@ ProbeFacts Probe::facts_of(const reference::TracedRay& ray) const {
     } else {
         facts.delay = ray.delay();
     }
-    if (!plane) return facts;  // no orbit, no impact parameter
+    if (!plane) {  // no orbit, no impact parameter
+        see_from_pole(x, y, end, ray.g, facts);
+        return facts;
+    }
     const reference::Orbit& orbit = plane->orbit();
     const auto radius = [&](double zeta) {
         return plane->metric().by_proper_length() ? spacetime_->areal_radius(zeta) : 1 / zeta;

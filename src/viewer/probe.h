@@ -6,6 +6,7 @@
 
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
+#include "reference/ray_curve.h"
 #include "reference/traced_ray.h"
 #include "scene/scene.h"
 #include "spacetime/spacetime.h"
@@ -14,7 +15,7 @@
 
 namespace nullscope::viewer {
 
-// In the ray's plane, r_s, the camera on the positive x axis; r: the metric's own radius there.
+// In the ray's plane, about a rotating hole as seen from its pole, r_s, the camera on the positive x axis; r: the metric's own radius there.
 struct PathPoint {
     double x, y, r;
 };
@@ -27,7 +28,7 @@ struct ProbeFacts {
     double impact = kNotANumber;            // impact parameter b = L/E (without spin), r_s
     double of_critical = kNotANumber;       // over that of the light that spirals to the photon sphere
     double turn_r = kNotANumber;            // turning point, r_s
-    double windings = 0;                    // swept angle over a full turn
+    double windings = 0;                    // swept angle over a full turn; about a rotating hole that of the azimuth
     double delay = kNotANumber;             // r_s/c, of rays that reach the sky
     std::optional<reference::Shift> shift;  // from what is seen to the camera; of captured rays there is none
     std::vector<PathPoint> path;
@@ -37,7 +38,7 @@ struct ProbeFacts {
 
 class Probe {
 public:
-    // Looks at pixel position (x, y) of the scene's picture, from its top left. Under a millisecond, some more for another spacetime.
+    // Looks at pixel position (x, y) of the scene's picture, from its top left. Under a millisecond, about a rotating hole some milliseconds; some more for another spacetime.
     void look(const Scene& scene, double x, double y);
     void forget() { facts_.reset(); }
     // Between NewFrame and Render, in the lower right corner of what lies between `left`, `top` and `bottom`. potential: with the effective
@@ -52,7 +53,8 @@ public:
 private:
     bool follow(const Scene& scene);
     void meet_disc(const reference::TracedRay& ray, const reference::DiscHit& hit, ProbeFacts& facts) const;
-    ProbeFacts facts_of(const reference::TracedRay& ray) const;
+    void see_from_pole(double x, double y, double end, double g, ProbeFacts& facts) const;
+    ProbeFacts facts_of(const reference::TracedRay& ray, double x, double y) const;
 
     Scene scene_;
     std::optional<reference::FrameTracer> tracer_;

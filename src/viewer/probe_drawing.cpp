@@ -38,7 +38,7 @@ std::string probe_words(const ProbeFacts& facts, const Scene& scene) {
 }
 
 // The ray's plane: circles of landmarks, where the disc's plane is met, the ray and its turning point. About a rotating hole the
-// equatorial plane: there a ray stays in none.
+// equatorial plane, and the ray as seen from the pole: it stays in no plane.
 void draw_path(const ProbeFacts& facts, const std::vector<LandmarkCircle>& circles, const Scene& scene, float side) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -69,12 +69,14 @@ void draw_path(const ProbeFacts& facts, const std::vector<LandmarkCircle>& circl
             facts.path, {}, [](const PathPoint& place) { return std::hypot(place.x, place.y); });
         draw.AddCircle(at(nearest->x, nearest->y), 3.5f, bright);
     }
-    if (facts.path.empty() && !facts.potential) {
+    if (!facts.potential) {
         const float small = 0.8f * ImGui::GetFontSize();
         draw.AddText(ImGui::GetFont(), small, {corner.x + 0.6f * small, corner.y + side - 1.6f * small},
-                     packed(dark_palette().dim), "seen from the pole; the ray is not drawn");
+                     packed(dark_palette().dim),
+                     facts.path.empty() ? "seen from the pole; the ray is not drawn" : "seen from the pole");
     }
-    draw.AddCircleFilled(at(std::min(camera, shown), 0), 3.0f, bright);  // the camera, or the edge towards it
+    const double beside = facts.potential || facts.path.empty() ? camera : facts.path.front().x;
+    draw.AddCircleFilled(at(std::min(beside, shown), 0), 3.0f, bright);  // the camera, or the edge towards it
     draw.PopClipRect();
     ImGui::Dummy({side, side});
 }

@@ -4,6 +4,7 @@ import csv
 import io
 import math
 import os
+import random
 
 import support
 
@@ -113,9 +114,9 @@ class CurveTest(support.CliTest):
         return list(csv.DictReader(io.StringIO(out)))
 
     @staticmethod
-    def some_rays(count, reach=4.0, least=0.0):
+    def some_rays(count, reach=4.0, least=0.0, chance=None):
         """From 8 to 40 r_s, by the centre within `reach` r_s up and down, and from `least` on to one side."""
-        chance = support.dice()
+        chance = chance or support.dice()
         lines = ["r,theta,phi,n_r,n_theta,n_phi"]
         for _ in range(count):
             r = chance.uniform(8, 40)
@@ -186,6 +187,48 @@ class Curves(CurveTest):
                     self.assertAlmostEqual(r, 2.25, delta=0.75)
             self.assertGreater(len(seen), 1, (name, seen))
 
+    def test_ends_that_are_asked_for(self):
+        """A radius, a polar angle, also where a ray turns back just beyond it, Mino's time by the points themselves and by L, and a disc that leans."""
+        for name in ("kerr 0.9", "schwarzschild"):
+            scene, (_, a) = SPACES[name][0], SPACES[name][1]
+            rays = self.some_rays(12, least=2.8, chance=random.Random(3))   # to one side: these escape
+            whole = self.rows_of(scene, rays, "--far", "50", "--rates", points=400)
+            near = {i: min(row[1] for row in rows) for i, rows in whole.items()}
+            for i, rows in self.rows_of(scene, rays, "--far", "50", "--to-r", "7", points=9).items():
+                self.assertAlmostEqual(rows[-1][1], 7 if near[i] < 7 else 50, delta=PLACE, msg=(name, i))
+            north = {i: min(row[2] for row in rows) for i, rows in whole.items()}
+            turned = 0
+            for i, rows in whole.items():
+                least = min(range(400), key=lambda k: rows[k][2])
+                asked = north[i] + 1e-4   # between two points
+                if 5 < least < 395:
+                    turned += 1
+                    line = rays.splitlines()[i]
+                    found = self.rows_of(scene, "r,theta,phi,n_r,n_theta,n_phi\n" + line + "\n", "--far", "50", "--to-theta", repr(asked), points=9)[1]
+                    self.assertAlmostEqual(found[-1][2], asked, delta=PLACE)
+                    self.assertLess(found[-1][0], rows[least][0] + 1e-6)
+            self.assertGreater(turned, 2, name)
+            for rows in self.rows_of(scene, rays, "--to-mino", "0.3", "--rates", points=801).values():
+                steps = [b[0] - p[0] for p, b in zip(rows, rows[1:])]
+                rate = [1 / (row[1] ** 2 + (a * math.cos(row[2])) ** 2) for row in rows]
+                by_points = sum(h * (p + q) / 2 for h, p, q in zip(steps, rate, rate[1:]))
+                self.assertAlmostEqual(by_points, 0.3, delta=3e-5, msg=name)
+                if name == "schwarzschild":
+                    (_, _), (p_phi, _), (square, _), _ = constants(SPACES[name][1], rows[0], rows[0][5:])
+                    n = [[math.sin(r[2]) * math.cos(r[3]), math.sin(r[2]) * math.sin(r[3]), math.cos(r[2])] for r in (rows[0], rows[-1])]
+                    swept = math.acos(sum(x * y for x, y in zip(*n)))
+                    self.assertAlmostEqual(swept, math.sqrt(square + p_phi ** 2) * 0.3, delta=1e-9)
+        for name in ("kerr 0.9", "schwarzschild"):
+            scene = SPACES[name][0] + "[disc]\ninner = 4\nouter = 9\ntilt = 50\nnode = 20\n"
+            rays, met = self.some_rays(16, chance=random.Random(4)), 0
+            curves = self.rows_of(scene, rays, points=9)
+            for i, row in enumerate(self.traced(rays, "--crossings", "6"), 1):
+                if row["fate"] == "hit:disc":
+                    met += 1
+                    radii = [float(row[f"r_{k}"]) for k in range(1, 7) if row[f"r_{k}"]]
+                    self.assertAlmostEqual(curves[i][-1][1], next(x for x in radii if 4 <= x <= 9), delta=PLACE)
+            self.assertGreater(met, 2, name)
+
     def test_pixels_end_where_ray_data_say(self):
         """A ball and a disc about a rotating hole, by capture --raydata."""
         self.write("scene.toml", KERR.format(0.8) + "[camera]\nobserver = \"zamo\"\nr = 20\ntheta = 70\nfov = 60\nsize = [16, 9]\n"
@@ -224,7 +267,7 @@ class Curves(CurveTest):
     def test_what_is_refused(self):
         self.write("rays.csv", self.some_rays(1))
         trace = ("trace", "flat", "--rays", "rays.csv")
-        for options, says in (((*trace, "-o", "x.obj"), "--points N"), ((*trace, "--cartesian"), "--points N"),
+        for options, says in (((*trace, "-o", "x.obj"), "--points N"), ((*trace, "--cartesian"), "--points N"), ((*trace, "--to-mino", "1"), "--points N"), ((*trace, "--points", "9", "--to-theta", "4"), "--to-theta"),
                               ((*trace, "--points", "1"), "[2, 100000]"), ((*trace, "--points", "9", "--with", "gl"), "reference"),
                               ((*trace, "--points", "9", "--crossings", "1"), "--crossings"),
                               ((*trace, "--points", "9", "--rates", "-o", "x.obj"), ".csv")):

@@ -9,6 +9,7 @@
 #include "observer/pose.h"
 #include "reference/disc_light.h"
 #include "reference/frame_tracer.h"
+#include "reference/ray_curve.h"
 #include "reference/reference.h"
 #include "scene/leaning_disc.h"
 #include "spacetime/leaning_circle.h"
@@ -196,6 +197,50 @@ TEST_CASE("disc lean: a hair's tilt about a rotating hole is none, by crossings 
         CHECK(met > 40);
         CHECK(most < 1e-7);
         CHECK(most_g < 1e-7);
+    }
+}
+
+// Of cameras that fly or fall, too.
+TEST_CASE("disc lean: the curve of a pixel's ray ends where the pixel's ray does") {
+    for (const ObserverKind observer : {ObserverKind::kZamo, ObserverKind::kRain}) {
+        Scene scene;
+        scene.spacetime = {"kerr", {{"spin", 0.8}}};
+        CameraSpec& camera = scene.camera;
+        camera.r = 14, camera.theta = 1.1, camera.phi = 0.4, camera.observer = observer;
+        camera.velocity = {-0.2, 0.1, 0.3};
+        camera.width = 16, camera.height = 10, camera.plane_width = 1.6;
+        scene.disc.emplace().inner = 3, scene.disc->outer = 9;
+        scene.disc->lean = {0.9, 0.7};
+        const auto tracer = reference::FrameTracer::make(scene);
+        REQUIRE(tracer);
+        const auto spacetime = *make_spacetime("kerr", scene.spacetime.parameters);
+        double most = 0;
+        int met = 0, skies = 0;
+        for (int y = 0; y < 10; ++y)
+            for (int x = 0; x < 16; ++x) {
+                const reference::RayPtr ray = tracer->ray(x + 0.5, y + 0.5);
+                const auto hits = tracer->disc_hits(*ray, 1);
+                const double end = hits.empty() ? INFINITY : hits.front().along;
+                const auto curve = reference::pixel_curve(
+                    *tracer, *spacetime, {x + 0.5, y + 0.5, camera.r, ray->g, end}, {30, hits.empty() ? 1e5 : 100});
+                REQUIRE(curve.size() == 30);
+                const reference::CurvePoint& last = curve.back();
+                const Vec3 n{std::sin(last.theta) * std::cos(last.phi), std::sin(last.theta) * std::sin(last.phi),
+                             std::cos(last.theta)};
+                CHECK(std::fabs(curve.front().r - 14) < 1e-9);
+                if (!hits.empty()) {
+                    const Vec3 place = disc_plane_of(scene).place(hits.front().x, hits.front().y);
+                    most = std::max(most, length(last.r * n - place)), ++met;
+                } else if (ray->fate() == Fate::kEscaped) {
+                    CHECK(length(n - ray->end_direction()) < 2e-4);
+                    ++skies;
+                }
+            }
+        fmt::print("disc lean: {} curves of pixels end on the disc within {:.1e} r_s, {} on the sky\n", met, most,
+                   skies);
+        CHECK(met > 30);
+        CHECK(skies > 30);
+        CHECK(most < 1e-8);
     }
 }
 

@@ -457,6 +457,15 @@ def test_the_numbers_of_polarised_light_are_those_of_capture(screen, program, fo
         assert measured() != shown, "the numbers stay where the view has turned"
 
 
+def test_the_ray_about_a_rotating_hole_is_drawn(screen, program, folder):
+    with opened(screen, program, scene=DARK + '[spacetime]\nmetric = "kerr"\n') as v:
+        assert v.count(INSET, RAY) == 0, "a ray that nobody asked for"
+        v.settle("key", "p", "mousemove", 500, 200)
+        assert says(v, "Windings") and v.count(INSET, RAY) > 20, "no ray is drawn"
+        v.settle("mousemove", WIDTH // 2 + 60, HEIGHT // 2)
+        assert v.count(INSET, RAY) > 20, "no ray beside the shadow"
+
+
 def test_the_ring_of_a_rotating_hole_can_be_zoomed_into(screen, program, folder):
     with Viewer(screen, program, "--size", f"{WIDTH}x{HEIGHT}", "--coarse", "4", "--layout", "layout.txt", scene="kerr") as v:
         plain = v.picture()
@@ -473,7 +482,7 @@ if EVERYTHING:
               test_z_and_the_wheel_zoom_into_the_photon_ring, test_the_ring_of_a_rotating_hole_can_be_zoomed_into,
               test_the_numbers_of_polarised_light_are_those_of_capture,
               test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
-              test_the_embedding_diagram_is_drawn, test_framing_guides_lie_over_the_picture,
+              test_the_embedding_diagram_is_drawn, test_the_ray_about_a_rotating_hole_is_drawn, test_framing_guides_lie_over_the_picture,
               test_the_histogram_says_what_the_saved_picture_has, test_the_loop_of_a_hot_spot_is_drawn_behind_its_picture,
               test_the_telescope_follows_the_camera, test_the_picture_is_seen_through_a_telescopes_beam,
               test_the_windows_place_is_kept,
