@@ -17,8 +17,10 @@ constexpr double kFarthestBody = 1e5;  // throats: beyond, swept angles in float
 
 void check_one_side(const Spacetime& spacetime, const Scene& scene, Faults& faults) {
     const auto without = [&](const std::string& key) {
+        const bool formula = spacetime.name() == "formula";
         faults.push_back({key, fmt::format("metric \"{}\" has neither discs nor bodies", spacetime.name()),
-                          "a scene without it, or another metric"});
+                          formula ? "a hole without B and R, with one photon sphere and powers of 1/r far out"
+                                  : "a scene without it, or another metric"});
     };
     if (scene.disc && !spacetime.can_have_disc()) without("disc");
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

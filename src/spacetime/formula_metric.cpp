@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spacetime/circular_orbit.h"
+#include "spacetime/open_formula_metric.h"
 
 namespace nullscope {
 namespace {
@@ -38,6 +39,16 @@ FormulaMetric::FormulaMetric(MetricFormulas formulas, const FormulaPlaces& place
     stable_orbits_ = orbit_equation() != nullptr && innermost_stable_orbit(*this).has_value();
 }
 
+// A hole with a table where there can be one.
+Result<std::shared_ptr<const Spacetime>> FormulaMetric::of_formulas(const std::map<std::string, std::string>& texts) {
+    TRY(formulas, MetricFormulas::parse(texts));
+    MetricFormulas hole = *formulas;
+    const auto places =
+        find_places(hole, Expansion(hole.v<kTerms>(0.0), 2, 1.0), Expansion(hole.density<kTerms>(0.0), 0, 1.0));
+    if (!places) return OpenFormulaMetric::make(*formulas);
+    return std::shared_ptr<const Spacetime>(new FormulaMetric(std::move(hole), *places));
+}
+
 // The last few metrics: scene files ask for theirs a dozen times while they are read.
 Result<std::shared_ptr<const Spacetime>> FormulaMetric::make(const std::map<std::string, std::string>& texts) {
     using Made = std::pair<std::map<std::string, std::string>, std::shared_ptr<const Spacetime>>;
@@ -49,10 +60,8 @@ Result<std::shared_ptr<const Spacetime>> FormulaMetric::make(const std::map<std:
         for (const Made& made : kept)
             if (made.first == texts) return made.second;
     }
-    TRY(formulas, MetricFormulas::parse(texts));
-    TRY(places, find_places(*formulas, Expansion(formulas->v<kTerms>(0.0), 2, 1.0),
-                            Expansion(formulas->density<kTerms>(0.0), 0, 1.0)));
-    const std::shared_ptr<const Spacetime> made(new FormulaMetric(*formulas, *places));
+    TRY(made_now, of_formulas(texts));
+    const std::shared_ptr<const Spacetime> made = *made_now;
     const std::lock_guard lock(mutex);
     if (kept.size() == kKept) kept.erase(kept.begin());
     kept.emplace_back(texts, made);

@@ -44,6 +44,7 @@ public:
     double lapse_curvature(double zeta) const override;
 
 private:
+    static Result<std::shared_ptr<const Spacetime>> of_formulas(const std::map<std::string, std::string>& texts);
     FormulaMetric(MetricFormulas formulas, const FormulaPlaces& places);
     // off_end: zeta - places_.end, which keeps its digits there.
     double root_above(double zeta, double off_end) const;  // sqrt(V - v_s)

@@ -81,6 +81,14 @@ Result<Circle> circle_of(const SphericalMetric& metric) {
     if (const auto barrier = metric.barrier(); barrier && barrier->c[0] == 0.0)
         return Circle{1.0 / barrier->zeta, std::sqrt(barrier->v), 1.0 / std::sqrt(-barrier->c[1])};
     const auto sphere = metric.photon_sphere();
+    if (const PotentialSurvey* world = metric.potential(); world != nullptr && sphere) {
+        const RayPotential& p = world->potential;
+        if (!(p.ridge().bend > 0.0))
+            return bad_input(fmt::format("{}: light that passes r = {} ends there", metric.name(), sphere->radius));
+        return Circle{sphere->radius, sphere->q_crit, p.density(p.ridge().x) / std::sqrt(p.ridge().bend)};
+    }
+    if (metric.potential() != nullptr && !metric.potential()->soft)
+        return bad_input(fmt::format("{}: light that passes the photon sphere comes back through it", metric.name()));
     if (!sphere || metric.chi() == nullptr)
         return bad_input(fmt::format("{}: there is no photon sphere", metric.name()));
     if (const auto surface = metric.surface_radius(); surface && *surface >= sphere->radius)

@@ -17,6 +17,8 @@
 
 namespace nullscope {
 
+struct PotentialSurvey;
+
 // V where it grows without bound inward and every ray turns (metrics with R = r, V a quartic): about zeta_d, where rays
 // divide, V = v + x (c[0] + x (c[1] + x (c[2] + x c[3]))), x = zeta - zeta_d. c[0] = 0: a photon sphere, the only one
 // that cameras stand outside of.
@@ -64,9 +66,10 @@ public:
     virtual double radial_stretch2(double r) const { return 1.0 / lapse_squared(r); }  // B = g_rr
     // V far out: -Lambda/3, 0 where space is flat there. chi is of V less this.
     virtual double v_at_sky() const { return 0.0; }
-    // nullptr: light runs straight, or barrier().
+    // nullptr: light runs straight, or barrier(), or potential().
     virtual const ChiMap* chi() const { return nullptr; }
     virtual std::optional<Barrier> barrier() const { return std::nullopt; }
+    virtual const PotentialSurvey* potential() const { return nullptr; }
     // Of metrics with R = r and A of this form, for which the shader knows how long light takes.
     virtual std::optional<LapseRoots> lapse_roots() const { return std::nullopt; }
     bool has_inner_root() const { return lapse_roots().value_or(LapseRoots{0, 0}).inner != 0.0; }

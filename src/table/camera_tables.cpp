@@ -52,7 +52,7 @@ CameraTables build_camera_tables(const RayFamily& family, WantedTables wanted) {
 bool RadiusSteps::serves(const RayFamily& family) const {
     const SphericalMetric& metric = family.spacetime();
     return metric.inner_end() == InnerEnd::kHorizon && !metric.by_proper_length() && !metric.barrier() &&
-           !metric.surface_radius() &&
+           metric.potential() == nullptr && !metric.surface_radius() &&
            family.camera_r() > kNearest * std::exp(2.0 / kStepsPerUnit) * metric.photon_sphere()->radius &&
            family.frame() == frame_at_rest(metric.lapse_squared(family.camera_r()));
 }

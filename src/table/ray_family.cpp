@@ -6,6 +6,7 @@
 
 #include "numeric/gauss.h"
 #include "table/bounce.h"
+#include "table/ray_sweep.h"
 
 namespace nullscope {
 
@@ -32,8 +33,11 @@ RayFamily::RayFamily(std::shared_ptr<const SphericalMetric> spacetime, std::shar
     inside_ = horizon && r <= *horizon;
     lapse_ = inside_ ? 0.0 : std::sqrt(lapse2);
     barrier_ = spacetime_->barrier();
+    potential_ = spacetime_->potential();
     if (barrier_) {
         separate_at_barrier();
+    } else if (potential_ != nullptr) {
+        separate_at_ridge();
     } else {
         chi0_ = inside_ ? M_PI : spacetime_->chi()->chi_from_radius(r);
         q_crit_ = spacetime_->photon_sphere()->q_crit;
@@ -81,11 +85,21 @@ double RayFamily::one_minus_k2(const Separatrix& d, double t, double t_minus) co
 void RayFamily::separate_at_barrier() {
     const Barrier& barrier = *barrier_;
     const double x = zeta0_ - barrier.zeta;
-    over_barrier_ = x * (barrier.c[0] + x * (barrier.c[1] + x * (barrier.c[2] + x * barrier.c[3])));
-    q_crit_ = std::sqrt(barrier.v);
-    if (x < 0.0)
-        separatrix_ = separatrix(q_crit_, std::sqrt(std::max(-over_barrier_, 0.0) / barrier.v),
-                                 square(lapse_ * zeta0_) / barrier.v);
+    separate_at(barrier.v, x * (barrier.c[0] + x * (barrier.c[1] + x * (barrier.c[2] + x * barrier.c[3]))), x < 0.0);
+}
+
+void RayFamily::separate_at_ridge() {
+    const Ridge& ridge = potential_->potential.ridge();
+    const double off = r_ - potential_->potential.end() - ridge.x;
+    separate_at(ridge.v, -potential_->potential.below(off), off > 0.0);
+}
+
+// over: V(zeta0) - top.
+void RayFamily::separate_at(double top, double over, bool outside) {
+    top_ = top, over_top_ = over;
+    q_crit_ = std::sqrt(top);
+    if (outside)
+        separatrix_ = separatrix(q_crit_, std::sqrt(std::max(-over, 0.0) / top), square(lapse_ * zeta0_) / top);
     else
         separatrix_ = {q_crit_ * radius_, 0.0, INFINITY};
     chi0_ = 2.0 * std::atan(1.0 / separatrix_.t);
@@ -153,10 +167,10 @@ FanRay RayFamily::ray(Segment segment, double delta) const {
     ray.q = (o + i * t * t) / across;
     ray.slope = -(o - i * t * t) / across;
     const double one_minus_kd2 = one_minus_k2(separatrix_, t, t_minus);
-    if (barrier_) {
+    if (top_ > 0.0) {
         // q^2 - V(zeta_d): a product next to the critical direction; slope^2 + V(zeta0) - V(zeta_d) where there is none.
-        const double d = theta_c_ > 0.0 ? -barrier_->v * one_minus_kd2 : square(ray.slope) + over_barrier_;
-        ray.phi_end = bounce_to_sky(*barrier_, zeta0_, ray.q, d == 0.0 ? kNoAngle : d, ray.slope);
+        const double d = theta_c_ > 0.0 ? -top_ * one_minus_kd2 : square(ray.slope) + over_top_;
+        ray.phi_end = swept(segment, ray, d == 0.0 ? kNoAngle : d);
         return ray;
     }
     const double whole = grazes_ ? one_minus_k2(photon_, t, t - photon_.t) : one_minus_kd2;
@@ -187,6 +201,13 @@ FanRay RayFamily::ray(Segment segment, double delta) const {
                       (ray.in_tube = std::min((sky ? tube_out_ : tube_in_) / std::sqrt(d2), kMostInTube));
     }
     return ray;
+}
+
+double RayFamily::swept(Segment segment, const FanRay& ray, double d) const {
+    if (barrier_) return bounce_to_sky(*barrier_, zeta0_, ray.q, d, ray.slope);
+    const SweptRay one{r_, ray.q, d, ray.slope};
+    const bool back = segment == Segment::kSky || potential_->comes_back;
+    return back ? swept_to_sky(*potential_, one) : swept_to_end(*potential_, one);
 }
 
 // At the surface sin(beta) = sin(chi_end)/k. Where rays graze it that is 1/k_d, and the cosine a product.

@@ -96,6 +96,9 @@ private:
     struct Place;
     Place place_at(Segment segment, double delta) const;
     void separate_at_barrier();
+    void separate_at_ridge();
+    void separate_at(double top, double over, bool outside);
+    double swept(Segment segment, const FanRay& ray, double d) const;
     double to_surface(double k, double one_minus_k2, double one_minus_kd2, double alpha, double beta) const;
     std::shared_ptr<const SphericalMetric> spacetime_;
     std::shared_ptr<const DeflectionTable> table_;
@@ -107,7 +110,8 @@ private:
     bool inside_ = false, from_inward_;  // of the horizon; whether the inward radial is the nearer one
     Separatrix separatrix_;              // sky from the rest
     std::optional<Barrier> barrier_;
-    double over_barrier_ = 0;  // V(zeta0) minus the barrier's V
+    const PotentialSurvey* potential_ = nullptr;
+    double top_ = 0, over_top_ = 0;  // V of what divides, a barrier or a ridge, and V(zeta0) less that
     double tube_out_ = 0,
            tube_in_ = 0;  // a wormhole's tube on the way to the sky and to the other one, over its radius
     double v_sky_ = 0.0,

@@ -255,7 +255,7 @@ TEST_CASE("formula: places along rays are the reference's, also where V does not
     CHECK(worst < kPlace);
 }
 
-TEST_CASE("formula: two horizons are found however close they are, and a double zero is told of") {
+TEST_CASE("formula: two horizons are found however close they are, and double zeros") {
     const auto refusal = [](const std::string& a) {
         const auto made = make_spacetime("formula", formulas(a));
         return made ? std::string() : made.error().message();
@@ -275,10 +275,17 @@ TEST_CASE("formula: two horizons are found however close they are, and a double 
         REQUIRE_MESSAGE(third, third.error().message());
         CHECK(*test::spherical(*third)->horizon_radius() == doctest::Approx(0.6).epsilon(1e-9));
     }
-    for (const std::string twice : {"(1 - 0.6/r)^2", "1 - 1/r + 0.25/r^2", "1 - 1.2000000001/r + 0.36000000006/r^2"})
-        CHECK_MESSAGE(refusal(twice).find("without passing through it") != std::string::npos, refusal(twice));
-    CHECK(refusal("(1 - 0.6/r)^2 + 1e-9").find("flat") != std::string::npos);
-    CHECK(refusal("(1 - 0.6/r)^2 + 1e-9/r^4").find("A stays above 0") != std::string::npos);
+    // Double zeros, and what comes close to one but has no horizon, are left to open_formula_metric.h.
+    for (const std::string twice :
+         {"(1 - 0.6/r)^2", "1 - 1.2/r + 0.36/r^2", "1 - 1.2000000001/r + 0.36000000006/r^2"}) {
+        CHECK_MESSAGE(refusal(twice).empty(), refusal(twice));
+        CHECK(*test::spherical(*make_spacetime("formula", formulas(twice)))->horizon_radius() ==
+              doctest::Approx(0.6).epsilon(1e-7));
+    }
+    for (const std::string above : {"(1 - 0.6/r)^2 + 1e-9", "(1 - 0.6/r)^2 + 1e-9/r^4"}) {
+        CHECK_MESSAGE(refusal(above).empty(), refusal(above));
+        CHECK_FALSE(test::spherical(*make_spacetime("formula", formulas(above)))->horizon_radius());
+    }
     // Between a cosmological horizon and the hole's there may be little room, or none: 4/9 is where they meet.
     CHECK(refusal("1 - 1/r - 0.14814/r^2*r^4").empty());
     CHECK(refusal("1 - 1/r - 0.14815*r^2").find("nowhere above 0") != std::string::npos);
@@ -314,21 +321,13 @@ TEST_CASE("formula: what is no hole is refused, with the key and what is allowed
         CHECK(message.find('\n') == std::string::npos);
     };
     refused(formulas("1 - "), "A: column");
-    refused(formulas("1 + 1/r"), "A: there is no horizon");
-    refused(formulas("1 - r^2/(r^3 + 0.4^2)"), "A: there is no horizon");
-    refused(formulas("-1 - 1/r"), "A: space is not flat far out");
-    refused(formulas("2 - 1/r"), "A: space is not flat far out");
-    refused(formulas("1 - 1/r + r"), "A: space is not flat far out");
+    refused(formulas("-1 - 1/r"), "A: is nowhere above 0");
     refused(formulas("1 - 1/r + r^2/100"), "A: grows as r^2");
     refused(formulas("1 - 1/r - r^2/6"), "A: is nowhere above 0");
-    refused(formulas("1 - 1/sqrt(r)"), "A: has no expansion");
-    refused(formulas("1 - exp(-r)/r"), "A: has no expansion");
     refused(formulas("max(1 - 1/r, 0)"), "A: max is not smooth");
-    refused(formulas("(1 - 1/r)*(1 + 8/(1 + (r - 5)^4))"), "A: there are several photon spheres");
-    refused(formulas("1 - 1/r + 1e-6/(r - 7)^2"), "A: there are several photon spheres");
-    refused(formulas("1 - 1/r", "-1"), "B: A B has no positive limit");
-    refused(formulas("1 - 1/r", "", "r - 2"), "R: is");
-    refused(formulas("1 - 1/r", "", "2*r"), "A: space is not flat far out");
+    refused(formulas("1 - 1/r + 0.265/r^2 - 0.0004/r^6"), "A: light can circle at r = 0.93");
+    refused(formulas("1 - 1/r", "-1"), "A: is nowhere above 0 with B and R above 0");
+    refused(formulas("1 - 1/r", "", "2 + 0*r"), "R: space does not widen far out");
     MetricParameters other = formulas("1 - 1/r");
     other.formulas["C"] = "1";
     refused(other, "no parameter \"C\"");
