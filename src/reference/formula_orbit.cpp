@@ -12,8 +12,11 @@
 #include <cmath>
 
 #include "expr/smooth.h"
+#include "reference/formula_way.h"
 #include "reference/octave_sums.h"
 #include "reference/potential_orbit.h"
+#include "spacetime/registry.h"
+#include "spacetime/spherical_metric.h"
 
 namespace nullscope::reference {
 namespace {
@@ -320,6 +323,8 @@ private:
 }  // namespace
 
 Result<std::unique_ptr<Metric>> make_formula_orbits(const SpacetimeSpec& spec) {
+    TRY(spacetime, make_spacetime(spec.metric, spec.parameters));
+    if ((*spacetime)->spherical()->potential() != nullptr) return make_formula_ways(spec);
     TRY(hole, FormulaHole::of(spec));
     return std::unique_ptr<Metric>(std::make_unique<FormulaOrbits>(std::move(*hole)));
 }
