@@ -7,14 +7,13 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/numeric/odeint/algebra/array_algebra.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "expr/smooth.h"
+#include "reference/fehlberg.h"
 #include "reference/smooth_segment.h"
 
 namespace nullscope::reference {
@@ -47,22 +46,17 @@ struct WayState {  // r, psi, phi
     Long phi() const { return at[2]; }
 };
 
-struct WaySlope {
-    const WayFormulas& f;
-    void operator()(const std::array<Long, 3>& y, std::array<Long, 3>& slope, Long) const {
+WayState stepped(const WayFormulas& f, const WayState& from, Long step, Long& wrong) {
+    std::array<Long, 3> error{};
+    const auto slope = [&f](const std::array<Long, 3>& y) {
         const Slope at = Slope::variable(y[0]), a = f.a.value<Long>(at),
                     across = f.areal ? f.areal->value<Long>(at) : at;
         const Long length = std::sqrt(f.stretch2(y[0])), sine = std::sin(y[1]), radius = across.of_power(0);
-        slope = {radius * std::cos(y[1]) / length,
-                 -sine / length * (across.of_power(1) - radius * a.of_power(1) / (2 * a.of_power(0))), sine};
-    }
-};
-
-WayState stepped(const WayFormulas& f, const WayState& from, Long step, Long& wrong) {
-    static thread_local boost::numeric::odeint::runge_kutta_fehlberg78<std::array<Long, 3>, Long> rule;
-    WayState to;
-    std::array<Long, 3> error{};
-    rule.do_step(WaySlope{f}, from.at, Long(0), to.at, step, error);
+        return std::array<Long, 3>{radius * std::cos(y[1]) / length,
+                                   -sine / length * (across.of_power(1) - radius * a.of_power(1) / (2 * a.of_power(0))),
+                                   sine};
+    };
+    const WayState to{fehlberg(from.at, step, slope, error)};
     wrong = std::abs(error[0]) / std::abs(to.r()) + std::abs(error[1]) + std::abs(error[2]);
     if (!std::isfinite(to.r() + to.psi() + to.phi()) || !(to.r() > 0)) wrong = std::numeric_limits<Long>::quiet_NaN();
     return to;
