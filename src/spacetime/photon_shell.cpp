@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spacetime/potential_survey.h"
 #include "spacetime/spherical_metric.h"
 
 namespace nullscope {
