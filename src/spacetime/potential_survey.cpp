@@ -65,7 +65,13 @@ double last_of(double holding, double other, const Holds& holds) {
 
 Status Survey::find_outermost() {
     const auto rests = [this](double r) { return is_static(r); };
-    while (outermost > kSurveyNearest && !rests(outermost)) outermost /= kLook;
+    // Beyond a cosmological horizon A and B are below 0, and R is still a radius.
+    for (; outermost > kSurveyNearest && !rests(outermost); outermost /= kLook) {
+        const double ab = f.lapse2(outermost) * f.stretch2(outermost), across = f.areal_radius(outermost);
+        if (!(across > 0.0))
+            return bad_key("R", fmt::format("is {:.6g} at r = {:.6g}", across, outermost), "R > 0 far out");
+        if (ab < 0.0) return bad_key("B", fmt::format("A B is {:.6g} at r = {:.6g}", ab, outermost), "A B > 0 far out");
+    }
     if (!(outermost > kSurveyNearest))
         return bad_key("A", "is nowhere above 0 with B and R above 0 too", "a place where observers can be at rest");
     if (outermost == kSurveyFarthest) return Done{};

@@ -8,10 +8,11 @@
 namespace nullscope {
 namespace {
 
-constexpr double kSweepTolerance = 3e-12;           // rad, of a panel
-constexpr int kSweepPanels = 200, kFarPanels = 20;  // at most, of a part of the way
-constexpr double kBesideTurn = 1e-5;                // of the turning point
-constexpr double kFarOut = 1e3;                     // r from which on 1/r is the variable
+constexpr double kSweepTolerance = 3e-12;                    // rad, of a panel
+constexpr int kSweepPanels = 200, kFarPanels = 20;           // at most, of a part of the way
+constexpr double kLeastPlace = 1e-20, kLeastOfAll = 1e-290;  // of r, and r_s: never 0
+constexpr double kBesideTurn = 1e-5;                         // of the turning point
+constexpr double kFarOut = 1e3;                              // r from which on 1/r is the variable
 
 // Panels are halved as long as there are any left: where formulas have no more digits no halving helps.
 template <class Rate>
@@ -47,7 +48,7 @@ struct Way {
             if (!(middle > low && middle < high)) break;
             (rest(middle) < 0.0 ? low : high) = middle;
         }
-        return high;
+        return std::max(high, low);
     }
     double octaves(double from, double to) const {
         double sum = 0.0;
@@ -105,14 +106,15 @@ double swept_to_sky(const PotentialSurvey& world, const SweptRay& ray) {
     const double camera = ray.r - p.end();
     if (!world.soft && ray.d < 0.0) {
         const Way way{world, ray.q * ray.q, ray.d, p.ridge().x};
-        const double y0 = camera - p.ridge().x;
-        return turned(way, way.turn(1e-20 * ray.r, y0), y0, ray.slope);
+        const double y0 = std::max(camera - p.ridge().x, kLeastPlace * ray.r);
+        return turned(way, way.turn(kLeastPlace * ray.r, y0), y0, ray.slope);
     }
     const Way way{world, ray.q * ray.q, ray.d, 0.0};
     if (!world.soft && ray.slope <= 0.0) return way.to_sky_from(camera);
     const double inside = world.soft ? camera : world.trough;
     double low = p.nearest();
     if (way.rest(low) > 0.0) low *= 0.5 * std::pow(way.q2 / p.v(low), 1.0 / p.power_at_end());
+    low = std::max(low, kLeastOfAll);
     return turned(way, way.turn(low, inside), camera, ray.slope);
 }
 

@@ -326,7 +326,8 @@ TEST_CASE("formula: what is no hole is refused, with the key and what is allowed
     refused(formulas("1 - 1/r - r^2/6"), "A: is nowhere above 0");
     refused(formulas("max(1 - 1/r, 0)"), "A: max is not smooth");
     refused(formulas("1 - 1/r + 0.265/r^2 - 0.0004/r^6"), "A: light can circle at r = 0.93");
-    refused(formulas("1 - 1/r", "-1"), "A: is nowhere above 0 with B and R above 0");
+    refused(formulas("1 - 1/r", "-1"), "B: A B is -");
+    refused(formulas("1 - 1/r", "1/(1 - 1/r)", "r - 1e-5*r^2"), "R: is -");
     refused(formulas("1 - 1/r", "", "2 + 0*r"), "R: space does not widen far out");
     MetricParameters other = formulas("1 - 1/r");
     other.formulas["C"] = "1";
