@@ -62,12 +62,13 @@ std::array<double, 4> light_in(const Image<float>& picture, const CameraSpec& ca
     return sum;
 }
 
-// To the last dump, one turn of the spots, one pulse of the sphere, or 100 r_s/c.
+// To the last dump, one turn of the spots, one pulse or turn of the sphere, or 100 r_s/c.
 double period_of(const Scene& scene, double from) {
     if (has_dumps(scene)) return medium_times(scene).to - from;
     if (const auto orbit = spot_period(scene)) return *orbit;
     const SphereSpec* sphere = first_shape<SphereSpec>(scene);
-    return sphere != nullptr && sphere->amplitude > 0 ? sphere->period : 100.0;
+    if (sphere != nullptr && sphere->amplitude > 0) return sphere->period;
+    return sphere != nullptr && sphere->spin_rate != 0 ? 2 * M_PI / std::fabs(sphere->spin_rate) : 100.0;
 }
 
 // Of matter's light alone: "jansky", or of several frequencies one each.
@@ -195,10 +196,11 @@ Result<std::array<int, 4>> region_of(const LightcurveOptions& options, const Cam
 Result<int> run_lightcurve(const LightcurveOptions& options) {
     TRY(scene, asked_scene(options));
     if (!changes_with_time(*scene))
-        return bad_input(fmt::format("{}: nothing in it changes with time", options.scene),
-                         "a scene with disc.flow, disc.precession, [spot], sphere.amplitude, ball.motion, t in "
-                         "surface.shape or in formulas "
-                         "of [medium], medium.flow, or dumps as medium.file");
+        return bad_input(
+            fmt::format("{}: nothing in it changes with time", options.scene),
+            "a scene with disc.flow, disc.precession, [spot], sphere.amplitude, sphere.spin_rate, ball.motion, t in "
+            "surface.shape or in formulas "
+            "of [medium], medium.flow, or dumps as medium.file");
     TRY(samples, check_samples_of_reference(options.renderer, options.samples.has_value()));
     TRY(context, check_context(options.renderer, options.context));
     TRY(region, region_of(options, scene->camera));
@@ -242,9 +244,9 @@ void add_lightcurve(Command& parent) {
     set_option(command, options.set);
     text_option(command, "-o,--output", options.output, "Name of the files to write, without .csv and .svg");
     number_option(command, "--from", options.from, -1e9, 1e9, "First time, r_s/c (default: the scene's)");
-    number_option(
-        command, "--to", options.to, -1e9, 1e9,
-        "Last time (default: that of the last dump, one orbit of the spots or one pulsation later, else 100)");
+    number_option(command, "--to", options.to, -1e9, 1e9,
+                  "Last time (default: that of the last dump, one orbit of the spots, one pulsation or one turn of the "
+                  "sphere later, else 100)");
     number_option(command, "--steps", options.steps, 2, 100000, "Number of points in time");
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     command

@@ -32,7 +32,14 @@ double radius_at(const SphereSpec& sphere, double time) {
     return sphere.radius * (1.0 + sphere.amplitude * std::sin(2.0 * M_PI * time / sphere.period));
 }
 
-// What the scene's things do between two pictures. Balls do not turn about themselves; a sphere that pulsates moves along its radii; where the
+// A place of its surface, `time` after it was `place`.
+Vec3 moved_sphere(const SphereSpec& sphere, Vec3 place, double left, double time) {
+    const double turned = sphere.spin_rate * time, c = std::cos(turned), s = std::sin(turned);
+    return radius_at(sphere, left + time) / radius_at(sphere, left) *
+           Vec3{c * place.x - s * place.y, s * place.x + c * place.y, place.z};
+}
+
+// What the scene's things do between two pictures. Balls do not turn about themselves; a sphere that pulsates moves along its radii, one that turns about the polar axis; where the
 // places of a surface whose formula asks for t go nobody says.
 class Motions {
 public:
@@ -41,7 +48,8 @@ public:
         for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
             const int number = object_number(scene, i);
             const BodyShape& shape = scene.bodies[i].shape;
-            if (const auto* sphere = std::get_if<SphereSpec>(&shape); sphere != nullptr && sphere->amplitude > 0.0)
+            if (const auto* sphere = std::get_if<SphereSpec>(&shape);
+                sphere != nullptr && (sphere->amplitude > 0.0 || sphere->spin_rate != 0.0))
                 spheres_.emplace(number, sphere);
             if (const auto* surface = std::get_if<SurfaceSpec>(&shape); surface != nullptr && surface_moves(*surface))
                 surfaces_.insert(number);
@@ -57,7 +65,7 @@ public:
         if (surfaces_.contains(pixel.hit)) return {kNotANumber, kNotANumber, kNotANumber};
         const double left = scene_.time - pixel.delay;  // when the light did; now, where all is seen at once
         if (const auto sphere = spheres_.find(pixel.hit); sphere != spheres_.end())
-            return radius_at(*sphere->second, left + time) / radius_at(*sphere->second, left) * place;
+            return moved_sphere(*sphere->second, place, left, time);
         const auto ball = balls_.find(pixel.hit);
         if (ball == balls_.end()) return place;
         return place + ball->second(left + time).place - ball->second(left).place;
@@ -79,7 +87,7 @@ private:
     const Scene& scene_;
     const Spacetime& spacetime_;
     std::map<int, BallMotionAt> balls_;
-    std::map<int, const SphereSpec*> spheres_;  // that pulsate
+    std::map<int, const SphereSpec*> spheres_;  // that pulsate or turn
     std::set<int> surfaces_;                    // that depend on time
 };
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include "plan/body_kind.h"
@@ -97,6 +98,56 @@ Feature glow_feature() {
             [](Scene& s) { first_material(s).temperature_K = 6000.0; }};
 }
 
+Feature turn_feature() {
+    return {{Effect::kSphereTurn, "sphere-turn", "EFFECT_SPHERE_TURN", "A sphere turns about the polar axis.",
+             "sphere.spin_rate is not 0", "an angle where it is seen"},
+            [](const FrameFacts& f) -> Reason {
+                const Body* body = seen_sphere(f.scene);
+                const double rate = body != nullptr ? std::get<SphereSpec>(body->shape).spin_rate : 0.0;
+                return reason_if(rate != 0.0, fmt::format("sphere.spin_rate = {}", rate));
+            },
+            [](Scene& s) {
+                for (Body& body : s.bodies)
+                    if (auto* sphere = std::get_if<SphereSpec>(&body.shape)) sphere->spin_rate = 0.0;
+            },
+            [](Scene& s) { sphere_of_four(s), s.light.delay = false; },
+            [](Scene& s) { first_shape<SphereSpec>(s)->spin_rate = 0.1; }};
+}
+
+std::vector<SceneKey> cap_keys() {
+    return {
+        {"cap", "colatitude", KeyType::kNumber, "deg", "45", closed(0.0, 180.0), "",
+         "Angle of its middle from the north pole.", [](auto& s) { return &s.caps.back().colatitude; }},
+        {"cap", "azimuth", KeyType::kNumber, "deg", "0", kAnyAngle, "", "Azimuth of its middle at time 0.",
+         [](auto& s) { return &s.caps.back().azimuth; }},
+        {"cap", "radius", KeyType::kNumber, "deg", "15", KeyRange{0.0, 180.0, true, false}, "",
+         "Angle from its middle to its rim, as seen from the sphere's middle.",
+         [](auto& s) { return &s.caps.back().radius; }},
+        {"cap", "temperature", KeyType::kNumber, "K", "20000", closed(1e3, 1e9), "",
+         "It shines as a black body of this temperature, as much brighter than the sphere as Planck's law says.",
+         [](auto& s) { return &s.caps.back().temperature_K; }},
+        {"cap", "brightness", KeyType::kNumber, "", "1", kBrightness, "", "Multiplies its light.",
+         [](auto& s) { return &s.caps.back().brightness; }},
+        {"cap", "colour", KeyType::kColour, "", "[1, 1, 1]", closed(0.0, 1000.0), "",
+         "Its light is multiplied by this, linear red, green and blue.", [](auto& s) { return &s.caps.back().colour; }},
+    };
+}
+
+Feature cap_feature() {
+    return {{Effect::kCaps, "caps", "EFFECT_CAPS", "There are hot caps on a sphere.",
+             "there is a [cap] and a [sphere] with a temperature", "a distance and a logarithm a cap where it is seen"},
+            [](const FrameFacts& f) -> Reason {
+                const Body* body = seen_sphere(f.scene);
+                if (f.scene.caps.empty() || body == nullptr || !body->material.temperature_K) return kNot;
+                return fmt::format("[cap] of {:.3g} degrees", 180.0 / M_PI * f.scene.caps.front().radius);
+            },
+            [](Scene& s) { s.caps.clear(); },
+            [](Scene& s) { sphere_of_four(s), first_material(s).temperature_K = 6000.0; },
+            [](Scene& s) { s.caps.emplace_back(); },
+            nullptr,
+            cap_keys()};
+}
+
 }  // namespace
 
 std::span<const Feature> bodies_features() {
@@ -133,6 +184,8 @@ std::span<const Feature> bodies_features() {
              first_material(s).image = example_image();
          }},
         glow_feature(),
+        turn_feature(),
+        cap_feature(),
         {{Effect::kBallPath, "ball-path", "EFFECT_BALL_PATH", "A ball moves.", "ball.motion is not \"still\"",
           "a table of the ball's path; two fetches a step"},
          [](const FrameFacts& f) -> Reason {

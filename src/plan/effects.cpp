@@ -138,7 +138,10 @@ bool meets_objects(const EffectSet& effects) {
     return effects.contains(Effect::kDisc) || has_solids(effects) || has_medium(effects);
 }
 
-bool moves(const EffectSet& effects) { return effects.contains(Effect::kBallPath) || effects.contains(Effect::kPulse); }
+bool moves(const EffectSet& effects) {
+    return effects.contains(Effect::kBallPath) || effects.contains(Effect::kPulse) ||
+           effects.contains(Effect::kSphereTurn);
+}
 
 bool motion_is_seen(const Spacetime& spacetime, const Observer& observer, const Scene& scene) {
     if (!scene.light.aberration && !scene.light.doppler) return false;

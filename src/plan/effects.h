@@ -81,6 +81,8 @@ enum class Effect {
     kMediumBands,
     kMediumElectrons,
     kDiscLean,
+    kSphereTurn,
+    kCaps,
     kEnd  // no effect: how many there are
 };
 // That there is a medium of a kind.
@@ -168,7 +170,7 @@ bool uses_black_body(const EffectSet& effects);                    // in the pic
 bool takes_samples(const EffectSet& effects);                      // pixels with several rays each
 EffectSet with_one_ray(EffectSet effects);                         // a pixel: without those of several
 bool meets_objects(const EffectSet& effects);  // anything that needs positions along rays: ray ends, orbit table
-bool moves(const EffectSet& effects);          // a body whose place or shape depends on time
+bool moves(const EffectSet& effects);          // a body whose place, shape or surface depends on time
 
 struct EffectReason {
     Effect effect;

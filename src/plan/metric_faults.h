@@ -2,8 +2,10 @@
 #pragma once
 #include <vector>
 
+#include "plan/caps.h"
 #include "plan/glow.h"
 #include "plan/medium.h"
+#include "plan/moving.h"
 #include "plan/sides.h"
 
 namespace nullscope {

@@ -18,6 +18,11 @@ std::vector<SceneKey> sphere_keys() {
         {"sphere", "period", KeyType::kNumber, "r_s/c", "40", kPositive, "",
          "Period of the pulsation; needs amplitude.", [](auto& s) { return &last_body<SphereSpec>(s).period; },
          [](const Scene& s) { return last_body<SphereSpec>(s).amplitude > 0.0; }, "amplitude above 0"},
+        {"sphere", "spin_rate", KeyType::kNumber, "c/r_s", "0", closed(-10.0, 10.0), "",
+         "Angular velocity about the polar axis, in rad per r_s/c as seen from infinity: texture and caps turn with "
+         "it. "
+         "Below 0: towards falling phi.",
+         [](auto& s) { return &last_body<SphereSpec>(s).spin_rate; }},
     };
 }
 
@@ -48,7 +53,10 @@ const BodyKind kSphereKind{
     .words = [](const Body& body) { return fmt::format("of radius {}", sphere_of(body).radius); },
     .extent = extent,
     .size = [](const Body& body) { return sphere_of(body).radius; },
-    .moves = [](const Body& body) { return sphere_of(body).amplitude > 0.0 ? "amplitude" : nullptr; },
+    .moves = [](const Body& body) -> const char* {
+        if (sphere_of(body).amplitude > 0.0) return "amplitude";
+        return sphere_of(body).spin_rate != 0.0 ? "spin_rate" : nullptr;
+    },
     .has_side = false,
 };
 

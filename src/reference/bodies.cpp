@@ -41,9 +41,10 @@ Vec3 BodyPart::normal(Vec3 place, double t) const {
     return size > 0 ? slope / size : Vec3{0, 0, 0};
 }
 
+    hit.turn = turn_rate * t;
 void BodyPart::tell(BodyHit& hit, double t) const {
     if (!glows) return;
-    hit.moves = moves, hit.carries = moves && middle != nullptr;
+    hit.moves = changes(), hit.carries = moves && middle != nullptr;
     hit.velocity = body_velocity(*this, hit.place, t);
 }
 
@@ -71,6 +72,7 @@ struct PartOf {
             return length(x) - s.radius * (1 + s.amplitude * std::sin(2 * M_PI * t / s.period));
         };
         part.moves = s.amplitude > 0, part.clear = s.amplitude == 0;
+        part.turn_rate = s.spin_rate;
         part.speed = s.radius * s.amplitude * 2 * M_PI / s.period;
         return part;
     }
@@ -129,7 +131,7 @@ Bodies::Bodies(const Scene& scene, const Metric& matter) : time_(scene.time) {
         part.glows = scene.bodies[i].material.temperature_K.has_value();
         part = std::visit(PartOf{scene, matter, part}, scene.bodies[i].shape);
         if (part.moves && unseen > 0) part.value = above(unseen, part);
-        moves_ = moves_ || part.moves;
+        moves_ = moves_ || part.changes();
         if (part.value) parts_.push_back(std::move(part));
     }
 }

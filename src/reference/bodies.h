@@ -22,13 +22,15 @@ struct BodyPart {
     std::function<double(Vec3, double)> value;  // of the place and of t
     bool far = false;                           // of a wormhole: at l < 0
     bool moves = false;
+    double turn_rate = 0;  // about the polar axis, rad per r_s/c: it looks different, but is where it was
     std::function<Vec3(double)> middle{};
     // Of which value is a distance: how fast that changes at most, r_s by r_s/c; else infinite.
     double speed = INFINITY;
     bool clear = false;                       // value is at most how far the body is, in r_s and r_s/c
     Vec3 normal(Vec3 place, double t) const;  // BodyHit's; 0 where there is none
     bool glows = false;                       // it has a temperature
-    void tell(BodyHit& hit, double t) const;  // of its motion, where it glows
+    bool changes() const { return moves || turn_rate != 0; }
+    void tell(BodyHit& hit, double t) const;  // of its turn; of its motion, where it glows
 };
 
 // BodyHit's, of a ray that comes from `back`, of any length.
@@ -67,6 +69,9 @@ struct Paint {
 };
 // Of 3 or 4 channels, bilinear, clamped at the rim. x, y in [0, 1], y from the top.
 Paint sample_image(const Image<float>& image, double x, double y);
+
+// The cap on the sphere that is seen at a place, counted from the first and the last that covers it; nothing: none. turn: BodyHit's.
+const CapSpec* cap_at(const Scene& scene, const BodyHit& hit);
 
 // Linear light of a body's texture at a place. image: of texture kind image.
 Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image);

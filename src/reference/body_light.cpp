@@ -5,6 +5,7 @@
 #include "expr/formula.h"
 #include "plan/body_kind.h"
 #include "reference/bodies.h"
+#include "scene/bodies.h"
 
 namespace nullscope::reference {
 namespace {
@@ -120,13 +121,25 @@ Vec3 sky_material_of(const SkySpec& sky, Vec3 d) {
     return sky.brightness * material_light(sky_material(sky), 0.5 - turns(at), polar(at) / M_PI, at, at, 1);
 }
 
+const CapSpec* cap_at(const Scene& scene, const BodyHit& hit) {
+    if (&scene.bodies[hit.body] != seen_sphere(scene)) return nullptr;
+    const double theta = polar(hit.place), phi = std::atan2(hit.place.y, hit.place.x) - hit.turn;
+    const CapSpec* found = nullptr;
+    for (const CapSpec& cap : scene.caps) {  // haversines
+        const double a = std::sin((theta - cap.colatitude) / 2), b = std::sin((phi - cap.azimuth) / 2),
+                     half = a * a + std::sin(theta) * std::sin(cap.colatitude) * b * b;
+        if (2 * std::asin(std::sqrt(std::min(half, 1.0))) <= cap.radius) found = &cap;
+    }
+    return found;
+}
+
 Vec3 body_light(const Scene& scene, const BodyHit& hit, const Image<float>* image) {
     const Body& body = scene.bodies[hit.body];
     const Material& material = body.material;
     const bool cylinder = std::holds_alternative<CylinderSpec>(body.shape);
     const double size = kind_of(body).size(body);
     const Vec3 at = hit.place - hit.middle;
-    const double c = std::cos(material.rotation), s = std::sin(material.rotation);
+    const double turn = material.rotation + hit.turn, c = std::cos(turn), s = std::sin(turn);
     const Vec3 turned{c * at.x + s * at.y, c * at.y - s * at.x, at.z};
     const Covering place =
         cylinder ? Covering{0.5 + 0.5 * turned.x / size, 0.5 - 0.5 * turned.y / size} : covering(material, turned);

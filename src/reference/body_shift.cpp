@@ -49,7 +49,7 @@ Vec3 way_at(const Zamo& at, const Metric& matter, const TracedRay& ray, Vec3 tow
 }  // namespace
 
 Vec3 body_velocity(const BodyPart& part, Vec3 place, double t) {
-    if (!part.moves) return {0, 0, 0};
+    if (!part.moves) return part.turn_rate * Vec3{-place.y, place.x, 0};
     const double h = 1e-5 * std::max(1.0, 1e-4 * std::abs(t));
     if (part.middle) return (part.middle(t + h) - part.middle(t - h)) / (2 * h);
     const double tiny = 1e-6 * part.thinnest;

@@ -36,7 +36,7 @@ private:
         return along < step.from && previous_ ? previous_->between(along) : step.between(along);
     }
     double time_at(const BodyPart& part, const KerrPlace& place) const {
-        return part.moves && delay_ ? bodies_.time() - place.delay : bodies_.time();
+        return part.changes() && delay_ ? bodies_.time() - place.delay : bodies_.time();
     }
     double value_of(const BodyPart& part, const KerrPlace& place) const {
         return part.value(place.flat(), time_at(part, place));

@@ -118,7 +118,8 @@ std::optional<BodyHit> PlaneRay::first_hit() const {
                                      : entry(*this, part, time_at, places);
         if (!angle || (first && first->along <= *angle)) continue;
         const Vec3 place = place_at(*angle);
-        const double turn = 1e-6, t = time_at(*angle);
+        const bool late = part.turn_rate != 0 && clock;
+        const double turn = 1e-6, t = late ? task_.bodies->time() - clock->delay(*angle) : time_at(*angle);
         const Vec3 earlier = place_at(*angle > turn ? *angle - turn : 0);
         const Vec3 normal = part.normal(place, t);
         first = BodyHit{*angle,

@@ -119,10 +119,15 @@ Vec3 solid_colour(const Looks& looks, const TracedRay& ray, const BodyHit& hit) 
                 all{ray.shift.gravity * own.gravity, ray.shift.doppler * own.doppler};
     const double g = all.seen(scene.light);
     if (!(g > 0)) return {0, 0, 0};
+    const double scale = std::exp2(-log2_brightness(*material.temperature_K, scene.light.bolometric));
+    if (const CapSpec* cap = cap_at(scene, hit)) {
+        const Vec3 heat = seen_black_body(cap->temperature_K, g, scene.light);
+        return scale * cap->brightness * (1 - material.limb * (1 - hit.cosine)) *
+               Vec3{cap->colour.x * heat.x, cap->colour.y * heat.y, cap->colour.z * heat.z};
+    }
     if (material.texture == TextureKind::kImage) return shifted(light, material.temperature_K, scene.light, g);
     const Vec3 heat = seen_black_body(*material.temperature_K, g, scene.light);
-    return std::exp2(-log2_brightness(*material.temperature_K, scene.light.bolometric)) *
-           Vec3{light.x * heat.x, light.y * heat.y, light.z * heat.z};
+    return scale * Vec3{light.x * heat.x, light.y * heat.y, light.z * heat.z};
 }
 
 // Its light is multiplied by its coverage already.

@@ -52,6 +52,7 @@ struct BodyHit {
     bool moves = false;          // the body does
     bool carries = false;        // all of it as its middle does
     Vec3 velocity{0, 0, 0};      // body_shift.h
+    double turn = 0;             // of the body about the polar axis, when the light left, rad
 };
 
 // A part of a ray in matter (medium.h).

@@ -8,9 +8,11 @@
 #include "plan/body_kind.h"
 #include "plan/glow.h"
 #include "plan/moving.h"
+#include "scene/bodies.h"
 #include "scene/named_surface.h"
 #include "scene/orbit_sense.h"
 #include "shaderlib/body_text.h"
+#include "shaderlib/glow_text.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/leaning_circle.h"
 #include "table/disc_light.h"
@@ -51,6 +53,12 @@ Silhouette silhouette(const Spacetime& spacetime, const RayFamily* family, doubl
 bool found_by_formula(const Body& body, const Spacetime& spacetime) {  // a still sphere on a planar path
     const auto* sphere = std::get_if<SphereSpec>(&body.shape);
     return sphere != nullptr && spacetime.planar_rays() && !(sphere->amplitude > 0.0);
+}
+
+// A sphere that keeps its size is where it was, whatever its surface does.
+bool turns_in_place(const Body& body) {
+    const auto* sphere = std::get_if<SphereSpec>(&body.shape);
+    return sphere != nullptr && !(sphere->amplitude > 0.0);
 }
 
 // A body's form, as its file in shaders/object has it.
@@ -124,6 +132,25 @@ std::vector<FrameVector> glow_numbers(const FramePlan& plan) {
     return numbers;
 }
 
+// shaders/object/sphere_turn.glsl and caps.glsl
+std::vector<FrameVector> turn_numbers(const FramePlan& plan) {
+    std::vector<FrameVector> numbers;
+    if (sphere_turns(plan.scene)) {
+        const double rate = std::get<SphereSpec>(seen_sphere(plan.scene)->shape).spin_rate;
+        numbers.push_back({rate, std::remainder(rate * late_time(plan), 2.0 * M_PI), 0, 0});
+    }
+    if (!has_caps(plan.scene)) return numbers;
+    for (const CapSpec& cap : plan.scene.caps) {
+        constexpr double kWhole = 4.0;
+        const double across = std::sin(cap.colatitude),
+                     chord = cap.radius < M_PI ? 2.0 * std::sin(0.5 * cap.radius) : kWhole;
+        const Vec3 middle{across * std::cos(cap.azimuth), across * std::sin(cap.azimuth), std::cos(cap.colatitude)};
+        numbers.push_back({middle, chord});
+        numbers.push_back({cap.brightness * cap.colour, std::log2(cap.temperature_K)});
+    }
+    return numbers;
+}
+
 }  // namespace
 
 SolidFormula solid_of(const SurfaceSpec& surface) { return {surface_shape(surface), surface.bound}; }
@@ -139,12 +166,13 @@ void put_march(FrameData& frame, const FramePlan& plan, const BallPaths& paths) 
         const Body& body = plan.scene.bodies[i];
         if (found_by_formula(body, spacetime)) continue;
         BodyExtent extent = kind_of(body).extent(body);
-        moves = moves || kind_of(body).moves(body) != nullptr;
+        const bool comes = kind_of(body).moves(body) != nullptr && !turns_in_place(body);
+        moves = moves || comes;
         if (const auto ball = paths.balls.find(i); ball != paths.balls.end()) {
             const BallPath& path = ball->second;
             extent.from = std::max(path.least_radius, 0.0), extent.to = path.reach, extent.height = path.height;
             fastest = std::max(fastest, path.speed);
-        } else if (kind_of(body).moves(body) != nullptr) {
+        } else if (comes) {
             fastest = std::max(fastest, 1.0);  // a pulsation, a formula of t
         }
         if (std::holds_alternative<SurfaceSpec>(body.shape)) extent.thinnest /= kMarchStep;
@@ -183,6 +211,7 @@ std::vector<FrameVector> object_numbers(const FramePlan& plan, const RayFamily* 
         for (const SpotSpec& spot : plan.scene.spots)
             for (const FrameVector& v : spot_numbers(spot, plan)) numbers.push_back(v);
     for (const FrameVector& v : glow_numbers(plan)) numbers.push_back(v);
+    for (const FrameVector& v : turn_numbers(plan)) numbers.push_back(v);
     return numbers;
 }
 

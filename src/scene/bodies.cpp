@@ -21,6 +21,16 @@ std::size_t ordinal(const Scene& scene, std::size_t i) {  // among those of its 
 
 }  // namespace
 
+const Body* seen_sphere(const Scene& scene) {
+    const Body* seen = nullptr;
+    double most = 0.0;
+    for (const Body& body : scene.bodies)
+        if (const auto* sphere = std::get_if<SphereSpec>(&body.shape);
+            sphere != nullptr && !(sphere->amplitude > 0.0) && sphere->radius > most)
+            seen = &body, most = sphere->radius;
+    return seen;
+}
+
 std::string section_label(std::string_view section, std::size_t i) {
     return i == 0 ? std::string(section) : fmt::format("{}[{}]", section, i + 1);
 }

@@ -38,6 +38,9 @@ void remove_bodies(Scene& scene) {
     std::erase_if(scene.bodies, has_shape<Shape>);
 }
 
+// The still sphere that hides all others: the largest, of equal ones the first. nullptr: there is none.
+const Body* seen_sphere(const Scene& scene);
+
 // What files and messages call section number i of those with one name, from 0: "spot", the second "spot[2]".
 std::string section_label(std::string_view section, std::size_t i);
 // Where body number i of the scene stands in a file: "ball", the second ball "ball[2]".

@@ -14,6 +14,7 @@
 #include "scene/medium_spec.h"
 #include "scene/polarisation_spec.h"
 #include "scene/projection_kind.h"
+#include "scene/sphere_spec.h"
 #include "spacetime/metric_parameters.h"
 
 namespace nullscope {
@@ -229,13 +230,6 @@ struct SpotSpec {
 
 // Solid bodies: opaque, a ray ends on the first one it meets. Lengths in r_s, in flat coordinates: (r, theta, phi) as spherical ones; in
 // wormholes (|l|, theta, phi) on one side of the throat, which is the centre; Body::far: l < 0. See plan/body_kind.h.
-struct SphereSpec {  // about the centre
-    static constexpr std::string_view kName = "sphere";
-    double radius = 3.0;     // outside the horizon
-    double amplitude = 0.0;  // pulsation: radius (1 + amplitude sin(2 pi t/period)), [0, 0.5]
-    double period = 40.0;    // r_s/c
-    friend bool operator==(const SphereSpec&, const SphereSpec&) = default;
-};
 struct CylinderSpec {  // about the polar axis: a disc of finite thickness, |z| <= height, inner <= rho <= outer
     static constexpr std::string_view kName = "cylinder";
     double inner = 3.0, outer = 8.0, height = 0.5;
@@ -382,6 +376,7 @@ struct Scene {
     std::vector<SpotSpec> spots;  // in the disc
     std::optional<MediumSpec> medium;
     std::vector<Body> bodies;
+    std::vector<CapSpec> caps;  // on the sphere that is seen (scene/bodies.h)
     LightSpec light;
     PictureSpec picture;
     std::optional<PathSpec> path;

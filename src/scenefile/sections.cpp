@@ -28,6 +28,7 @@ constexpr SectionList list_of(std::size_t most, std::string_view words) {
             }};
 }
 constexpr SectionList kSpots = list_of<&Scene::spots>(kMostSpots, "[[spot]]");
+constexpr SectionList kCaps = list_of<&Scene::caps>(kMostCaps, "[[cap]]");
 constexpr SectionList kBodies = list_of<&Scene::bodies>(kMostBodies, "bodies");
 
 // One that a scene has or has not. part: [](auto& s) { return &s.disc; }, an optional.
@@ -82,12 +83,29 @@ Section path_row() {
     return row;
 }
 
+// A cap is on a sphere that shines.
+void propose_sphere(Scene& s) {
+    constexpr double kStar = 6000.0;
+    if (seen_sphere(s) == nullptr) add<SphereSpec>(s);
+    for (Body& body : s.bodies)
+        if (&body == seen_sphere(s) && !body.material.temperature_K) body.material.temperature_K = kStar;
+}
+
 Section spot_row() {
     return {.name = "spot",
             .help = "A hot spot that orbits in the disc.",
             .add = [](Scene& s) { s.spots.emplace_back(); },
             .list = &kSpots,
             .is = [](const Scene&, std::size_t) { return true; }};
+}
+
+Section cap_row() {
+    return {.name = "cap",
+            .help = "A hot cap on the sphere.",
+            .add = [](Scene& s) { s.caps.emplace_back(); },
+            .list = &kCaps,
+            .is = [](const Scene&, std::size_t) { return true; },
+            .propose = propose_sphere};
 }
 
 Section body_row(const BodyKind& kind) {
@@ -107,6 +125,7 @@ std::vector<Section> all_rows() {
     rows.push_back(medium_row());
     rows.push_back(path_row());
     rows.push_back(spot_row());
+    rows.push_back(cap_row());
     for (const BodyKind* kind : body_kinds()) rows.push_back(body_row(*kind));
     return rows;
 }

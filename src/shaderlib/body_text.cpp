@@ -8,6 +8,7 @@
 
 #include "plan/body_kind.h"
 #include "plan/moving.h"
+#include "scene/bodies.h"
 #include "scene/named_surface.h"
 #include "shaderlib/glow_text.h"
 #include "shaderlib/march_statements.h"
@@ -23,14 +24,15 @@ struct ShapeText {
     std::string name;  // of its functions: NAME_value, NAME_room, NAME_normal, NAME_middle, NAME_size
     std::string file;  // that defines them
     std::string formula{};
-    bool moves = false, marched = true, round = false;
+    bool moves = false, marched = true, round = false, turns = false;
     auto operator<=>(const ShapeText&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 struct ShapeOf {
     ShapeText operator()(const SphereSpec& s) const {
         if (s.amplitude > 0.0) return {"pulse", "object/pulse.glsl", "", true};
-        return {"sphere", mino ? "object/still_sphere.glsl" : "planar/sphere.glsl", "", false, mino, true};
+        return {"sphere",          mino ? "object/still_sphere.glsl" : "planar/sphere.glsl", "", false, mino, true,
+                s.spin_rate != 0.0};
     }
     ShapeText operator()(const BallSpec& b) const {
         if (b.moves()) return {"moving_ball", "object/moving_ball.glsl", "", true, true, true};
@@ -72,17 +74,6 @@ Group group_of(const Body& body, const std::vector<ImageSource>& images, bool mi
             material.texture == TextureKind::kFormula ? material.formula : "",
             image ? static_cast<int>(std::find(images.begin(), images.end(), material.source()) - images.begin()) : -1,
             material.temperature_K.has_value()};
-}
-
-// A still sphere is seen where no larger one is about it; of equal ones the first.
-bool hidden(const Scene& scene, std::size_t i) {
-    const auto radius = [&](std::size_t k) {  // 0: no still sphere
-        const auto* sphere = std::get_if<SphereSpec>(&scene.bodies[k].shape);
-        return sphere != nullptr && !(sphere->amplitude > 0.0) ? sphere->radius : 0.0;
-    };
-    for (std::size_t k = 0; k < scene.bodies.size() && radius(i) > 0.0; ++k)
-        if (radius(k) > radius(i) || (radius(k) == radius(i) && k < i)) return true;
-    return false;
 }
 
 // In the shader's order.
@@ -143,6 +134,9 @@ std::string light_text(const Group& group, const Material& material) {
         group.shape.name == "cylinder" ? "MAPPING_PLANE" : kMappings[static_cast<int>(material.mapping)];
     std::string text = pattern_text(group.name, material, mapping, true, group.image) +
                        std::string(shader_file("object/body_light.glsl"));
+    if (group.shape.turns)
+        text = include_line("object/sphere_turn.glsl") +
+               replaced(std::move(text), "objects[5 * i + 1]", "sphere_map(objects[5 * i + 1], place)");
     text = replaced(std::move(text), "KIND", group.shape.name);
     return replaced(std::move(text), "BODY", group.name);
 }
@@ -326,7 +320,9 @@ std::string hit_text(const std::vector<Group>& groups) {
 GlowText glows_text(const std::vector<Group>& groups, const Scene& scene) {
     std::vector<GlowGroup> glowing;
     for (const Group& g : groups)
-        if (g.glows) glowing.push_back({g.name, g.shape.name, g.shape.moves, g.from, g.to});
+        if (g.glows)
+            glowing.push_back({g.name, g.shape.name, g.shape.moves || g.shape.turns,
+                               g.shape.name == "sphere" && has_caps(scene), g.from, g.to});
     GlowText text = glow_text(scene, glowing);
     if (!glowing.empty()) text.shift = include_line("object/solid_hit.glsl") + includes_of(groups) + text.shift;
     return text;
@@ -350,7 +346,8 @@ std::string lights_text(const std::vector<Group>& groups, const Scene& scene, co
 std::string objects_text(const std::vector<Group>& groups, const Scene& scene) {
     const std::size_t bodies = groups.empty() ? 0 : groups.back().to, spots = scene.disc ? scene.spots.size() : 0;
     if (bodies + spots == 0) return "";
-    std::string text = fmt::format("#define OBJECT_VECTORS {}\n#define BODIES_FROM {}\n", glow_to(scene), kFirstBody);
+    std::string text = fmt::format("#define OBJECT_VECTORS {}\n#define BODIES_FROM {}\n", caps_to(scene), kFirstBody);
+    text += turn_defines(scene);
     if (spots > 0) text += fmt::format("#define SPOT_FROM {}\n#define SPOT_COUNT {}\n", 5 * bodies, spots);
     for (const Group& group : groups)
         if (group.shape.name == "moving_ball")
@@ -372,8 +369,10 @@ std::vector<ImageSource> body_images(const Scene& scene) {
 
 std::vector<std::size_t> shader_bodies(const Scene& scene) {
     std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-        if (!hidden(scene, i)) order.push_back(i);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const auto* sphere = std::get_if<SphereSpec>(&scene.bodies[i].shape);
+        if (sphere == nullptr || sphere->amplitude > 0.0 || &scene.bodies[i] == seen_sphere(scene)) order.push_back(i);
+    }
     const auto images = body_images(scene);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return group_of(scene.bodies[a], images, false).key() < group_of(scene.bodies[b], images, false).key();

@@ -57,6 +57,9 @@ THINGS = {
     "balls": {"ball": [BALL, {**BALL, "position": [-4.0, 3.0, -1.0], "radius": 2.0}]},
     "sphere": {"sphere": [{"radius": 3.0, **PLAIN}]},
     "sphere-pulsing": {"sphere": [{"radius": 3.0, **PLAIN, "amplitude": 0.2, "period": 30.0}]},
+    "sphere-turning": {"sphere": [{"radius": 3.0, **PLAIN, "texture": "formula", "formula": "u", "spin_rate": 0.1}]},
+    "sphere-capped": {"sphere": [{"radius": 3.0, "temperature": 5000.0, "colour": [0.8, 0.9, 1.0], "spin_rate": -0.1}],
+                      "cap": [{"colatitude": 60.0, "azimuth": 20.0, "radius": 40.0, "temperature": 6000.0}]},
     "cylinder": {"cylinder": [{"inner": 3.5, "outer": 6.0, "height": 0.8, **PLAIN}]},
     "surface": {"surface": [{"kind": "torus", "size": 4.5, "bound": 7.5, **PLAIN}]},
     "surface-t": {"surface": [{"shape": "length(x - 4 - sin(0.2*t), y + 2, z - 0.6) - 1.5", "bound": 8.0, **PLAIN}]},
@@ -196,7 +199,7 @@ ALL = set(METRICS)
 REFUSED = [
     ({"metric": NO_OBJECTS, "thing": set(THINGS) - {"none"}}, r"neither discs nor bodies|no matter along rays|is not available in|no far side|no circular orbit"),
     ({"metric": ALL - set(WORMHOLES), "thing": {"ball-beyond"}}, "has no far side"),
-    ({"metric": set(WORMHOLES), "thing": {"ball-hot"}}, "how light of bodies is shifted"),
+    ({"metric": set(WORMHOLES), "thing": {"ball-hot", "sphere-capped"}}, "how light of bodies is shifted"),
     ({"thing": {"ball-beyond"}, "extra": SPLITS}, "has no far side"),
     ({"metric": ALL - {"kerr", "minkowski"}, "thing": {"matter-grid"}}, "its matter is about a hole|no matter along rays"),
     ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MATTER_THINGS}, "no matter along rays"),

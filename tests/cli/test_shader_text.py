@@ -69,6 +69,8 @@ WORDS = {
     "polariser": [r"disc_polarised", r"vec4 polariser"],
     "disc-gas": [r"disc_gas\w*"],
     "disc-lean": [r"leaning_\w+", r"LEANING_\w+"],
+    "sphere-turn": [r"sphere_turn", r"sphere_velocity", r"SPHERE_TURN"],
+    "caps": [r"cap_\w+", r"with_caps", r"CAP_\w+"],
     "medium-gas": [r"gas_(?:clumps|rim|rate)", r"GAS_(?:INNER|OUTER|THICKNESS|HEAT|RIM)"],
     "medium-motion": [r"gas_moved"],
     "medium-formula": [r"medium_formulas"],
@@ -106,6 +108,9 @@ SCENES = {
     "formula": '[sky]\nkind = "black"\n[ball]\ntexture = "formula"\nformula = "u"\n',
     "body-image": '[sky]\nkind = "black"\n[sphere]\ntexture = "image"\nimage = "IMAGE"\n',
     "glow": '[sky]\nkind = "black"\n[sphere]\ntemperature = 6000\n[light]\nshift = "off"\n',
+    "sphere-turn": '[sky]\nkind = "black"\n[sphere]\ntexture = "checker"\nspin_rate = 0.1\n',
+    "caps": '[sky]\nkind = "black"\n[sphere]\ntemperature = 6000\n[cap]\n',
+    "spin, sphere-turn, caps": '[spacetime]\nmetric = "kerr"\n[sphere]\ntemperature = 6000\nspin_rate = 0.1\n[cap]\n[light]\ndelay = "off"\n',
     "everything": '[camera]\nvelocity = [0.1, 0.2, 0.3]\n[disc]\nedge = 0.2\n[sphere]\ntexture = "checker"\n'
                   '[cylinder]\ntexture = "noise"\n[ball]\ntexture = "formula"\nformula = "u"\n',
     "ring-rates": '[spacetime]\nmetric = "formula"\nA = "1 - 1/r"\n[sky]\nkind = "black"\n[disc]\nflow = "kepler"\n[light]\ndelay = "off"\n',

@@ -34,6 +34,14 @@ Scene about(const char* metric, double spin, std::vector<Body> bodies) {
     return scene;
 }
 
+// With two caps, one of them over the edge of the other.
+Scene turning(Scene scene) {
+    scene.bodies.front().material.limb = 0.4;
+    scene.caps = {{.colatitude = 1.1, .azimuth = -0.6, .radius = 0.7, .temperature_K = 9000},
+                  {.colatitude = 1.9, .azimuth = -0.2, .radius = 0.4, .temperature_K = 4500, .colour = {1, 0.5, 0.2}}};
+    return scene;
+}
+
 std::vector<Glowing> glowing_scenes() {
     const BallSpec circling{.position = {4, 0, 0}, .radius = 1, .motion = BallMotion::kOrbit},
         falling{.position = {0, -5, 1}, .radius = 1, .motion = BallMotion::kGeodesic, .velocity = {0, 0, 0.2}},
@@ -52,6 +60,9 @@ std::vector<Glowing> glowing_scenes() {
         {"circles about a rotating hole", about("kerr", 0.9, {hot_body(circling, 6000), hot_body(path, 7000)})},
         {"pulsates about a rotating hole",
          about("kerr", -0.9, {hot_body(pulse, 5000), hot_body(CylinderSpec{5, 7, 0.4}, 5000)})},
+        {"turns", turning(about("schwarzschild", 0, {hot_body(SphereSpec{.radius = 2.5, .spin_rate = 0.15}, 6000)}))},
+        {"turns about a rotating hole",
+         turning(about("kerr", 0.7, {hot_body(SphereSpec{.radius = 2.5, .spin_rate = -0.15}, 6000)}))},
         {"in flat space", about("minkowski", 0, {hot_body(path, 6000)})}};
     for (const int off : {0, 1, 2}) {
         Scene scene = about("schwarzschild", 0, {hot_body(circling, 6000)});

@@ -73,7 +73,9 @@ std::vector<Scene> full_scenes() {
     holes.disc->opacity = 0.5;
     holes.disc->emission = DiscEmission::kThermal;
     holes.disc->image = assets_directory() / "images" / "accretion-disc.png";
-    add_body<SphereSpec>(holes).material.texture = TextureKind::kChecker;
+    Material& star = add_body<SphereSpec>(holes).material;
+    star.texture = TextureKind::kChecker, star.temperature_K = 6000;
+    first_shape<SphereSpec>(holes)->spin_rate = 0.1, holes.caps.emplace_back();
     add_body<CylinderSpec>(holes).material.texture = TextureKind::kNoise;
     Material& ball = add_body<BallSpec>(holes).material;
     ball.texture = TextureKind::kFormula, ball.formula = "u"s;

@@ -156,6 +156,8 @@ const std::vector<Mark> kMarks = {
     {Effect::kMediumBands, {"medium_bands(", "law_band", "vec4 medium_band_0;"}},
     {Effect::kDiscGas, {"disc_gas(", "disc_gas_gaps(", "vec4 disc_gas;"}},
     {Effect::kDiscLean, {"leaning_height(", "leaning_u_t(", "leaning_dip("}},
+    {Effect::kSphereTurn, {"sphere_turn(", "SPHERE_TURN"}},
+    {Effect::kCaps, {"cap_cover(", "with_caps(", "CAP_COUNT"}},
 };
 
 // Every line of a shader stands where #line says: in its file there is the same, but for a comment.
