@@ -11,6 +11,7 @@
 
 #include "expr/formula.h"
 #include "numeric/dormand_prince.h"
+#include "observer/spin_fall.h"
 #include "scene/orbit_sense.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/spherical_metric.h"
@@ -130,6 +131,26 @@ private:
     std::optional<Period> period_;
 };
 
+Result<BallMotionAt> fall_about_spin(const AxialMetric& metric, const BallSpec& ball) {
+    const Vec3 x = ball.position;
+    const double r = length(x), theta = std::atan2(std::hypot(x.x, x.y), x.z);
+    double azimuth = std::atan2(x.y, x.x);
+    Vec3 v = ball.velocity;
+    if (x.x == 0.0 && x.y == 0.0)  // on the axis every direction across is a southward one
+        azimuth += std::atan2(v.z, v.y), v = {v.x, std::hypot(v.y, v.z), 0.0};
+    if (!(r > metric.outer_horizon() && metric.metric(r, theta)[0][0] < 0.0))
+        return bad_key("position", fmt::format("nothing can be at rest at {} from the centre", r),
+                       "outside the ergosphere");
+    auto fall = std::make_shared<SpinFall>(metric, SpinFall::Start{r, theta, v});
+    return BallMotionAt([=](double t) {
+        const SpinFall::Place at = fall->at(t);
+        const double sine = std::sin(at.theta), cosine = std::cos(at.theta), phi = azimuth + at.phi;
+        const Vec3 round{std::cos(phi), std::sin(phi), 0}, east{-round.y, round.x, 0};
+        const Vec3 out = sine * round + Vec3{0, 0, cosine}, south = cosine * round - Vec3{0, 0, sine};
+        return BallPlace{at.r * out, at.r_dot * out + at.r * at.theta_dot * south + at.r * sine * at.phi_dot * east};
+    });
+}
+
 }  // namespace
 
 Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& ball) {
@@ -147,6 +168,8 @@ Result<BallMotionAt> ball_motion(const Spacetime& spacetime, const BallSpec& bal
         return BallMotionAt(
             [=, omega = orbit->omega](double t) { return in_plane(outward, east, r, omega * t, 0, omega); });
     }
+    if (ball.motion == BallMotion::kGeodesic && spacetime.axial() != nullptr)
+        return fall_about_spin(*spacetime.axial(), ball);
     if (ball.motion == BallMotion::kGeodesic) {
         if (spacetime.orbit_equation() == nullptr)
             return bad_key("motion",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "expr/formula.h"
 #include "plan/body_kind.h"
@@ -28,6 +29,22 @@ double unseen_radius(const Scene& scene, std::optional<double> horizon) {
     });
     const double radius = (1.0 + (dark ? kDarkAbove : kAbove)) * *horizon;
     return scene.camera.r > radius ? radius : 0.0;
+}
+
+std::vector<SceneFault> late_fall_faults(bool rotates, const Scene& scene) {
+    constexpr double kLatest = 2e4;  // r_s/c from t = 0
+    std::vector<SceneFault> faults;
+    const double left = scene.time - (scene.light.delay ? std::fabs(scene.camera.r) : 0.0);
+    if (!rotates || std::fabs(left) < kLatest) return faults;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        if (const auto* ball = std::get_if<BallSpec>(&scene.bodies[i].shape);
+            ball != nullptr && ball->motion == BallMotion::kGeodesic)
+            faults.push_back({body_section(scene, i) + ".motion",
+                              fmt::format("light that left at about t = {:.6g} is too far from the start of a fall "
+                                          "about a rotating hole",
+                                          left),
+                              fmt::format("times less camera.r within {:.0f} r_s/c of 0", kLatest)});
+    return faults;
 }
 
 std::vector<std::string> moving_parts(const Scene& scene) {

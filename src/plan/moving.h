@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/scene_fault.h"
 
 namespace nullscope {
 
@@ -16,6 +17,9 @@ std::string moving_words(const Scene& scene);
 
 // Whether pictures of other times differ: by what moves, or by matter of dumps, which is of one time in all of a picture and not seen late.
 bool changes_with_time(const Scene& scene);
+
+// Balls in free fall about a rotating hole that are seen at times which would take too long to follow them to.
+std::vector<SceneFault> late_fall_faults(bool rotates, const Scene& scene);
 
 bool surface_moves(const SurfaceSpec& surface);  // whether its formula asks for t
 

@@ -17,6 +17,7 @@
 #include "expr/formula.h"
 #include "reference/bodies.h"
 #include "reference/kerr_between.h"
+#include "reference/kerr_fall.h"
 #include "reference/orbit.h"
 
 namespace nullscope::reference {
@@ -171,6 +172,7 @@ std::function<Vec3(double t)> ball_way(const Metric& metric, const BallSpec& bal
                 return turned(e_phi, r, omega * t);
             };
         case BallMotion::kGeodesic: {
+            if (metric.orbits() == nullptr) return kerr_fall(metric, start, ball.velocity);
             // velocity: (e_r, e_theta, e_phi) of one at rest there; E = gamma sqrt(A), P = A p_r = gamma v_r sqrt(A).
             const Vec3 v = ball.velocity, e_theta = cross(e_phi, e_r), across = v.y * e_theta + v.z * e_phi;
             const OrbitMetric& round = *metric.orbits();

@@ -19,13 +19,12 @@ constexpr int kWaySamples = 200;   // at the way of a ball
 
 Status check_bodies(const Scene& scene, const Metric& matter) {
     if (matter.orbits()) return Done{};
+    if (const auto far = late_fall_faults(true, scene); !far.empty())
+        return bad_key(far.front().key, far.front().what, far.front().allowed);
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const auto* ball = std::get_if<BallSpec>(&scene.bodies[i].shape);
         if (ball == nullptr) continue;
         const std::string section = body_section(scene, i);
-        if (ball->motion == BallMotion::kGeodesic)
-            return bad_key(section + ".motion", "free fall of balls is not supported about a rotating hole",
-                           "still, orbit, path");
         if (ball->motion == BallMotion::kOrbit && std::abs(ball->position.z) > kInPlane * length(ball->position))
             return bad_key(section + ".position",
                            "orbits about a rotating hole that leave its equatorial plane are not followed", "z = 0");
@@ -41,8 +40,8 @@ Vec3 BodyPart::normal(Vec3 place, double t) const {
     return size > 0 ? slope / size : Vec3{0, 0, 0};
 }
 
-    hit.turn = turn_rate * t;
 void BodyPart::tell(BodyHit& hit, double t) const {
+    hit.turn = turn_rate * t;
     if (!glows) return;
     hit.moves = changes(), hit.carries = moves && middle != nullptr;
     hit.velocity = body_velocity(*this, hit.place, t);
@@ -72,8 +71,8 @@ struct PartOf {
             return length(x) - s.radius * (1 + s.amplitude * std::sin(2 * M_PI * t / s.period));
         };
         part.moves = s.amplitude > 0, part.clear = s.amplitude == 0;
-        part.turn_rate = s.spin_rate;
         part.speed = s.radius * s.amplitude * 2 * M_PI / s.period;
+        part.turn_rate = s.spin_rate;
         return part;
     }
     BodyPart operator()(const CylinderSpec& c) {

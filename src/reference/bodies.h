@@ -56,7 +56,7 @@ private:
 };
 
 // Where a ball is at a time t, found another way than observer/ball_motion.h.
-// Free fall, in metrics whose rays stay in a plane (check_bodies): 1e-10 of its radius a turn. metric: outlives what is
+// Free fall: 1e-10 of its radius a turn; about a rotating hole by kerr_fall.h. metric: outlives what is
 // returned, which any number of threads may ask.
 std::function<Vec3(double t)> ball_way(const Metric& metric, const BallSpec& ball);
 

@@ -5,6 +5,7 @@
 
 #include "observer/ball_motion.h"
 #include "observer/observer.h"
+#include "plan/moving.h"
 #include "scene/bodies.h"
 #include "shaderlib/body_text.h"
 
@@ -61,6 +62,8 @@ BallPath sampled(const BallMotionAt& motion, const Scene& scene, double radius, 
 Result<BallPaths> ball_paths(const Spacetime& spacetime, const Scene& scene) {
     constexpr std::size_t kBallFloats = 8 * static_cast<std::size_t>(kBallPathCells + 1);
     BallPaths paths;
+    if (const auto late = late_fall_faults(spacetime.rotates(), scene); !late.empty())
+        return bad_key(late.front().key, late.front().what, late.front().allowed);
     for (const std::size_t i : shader_bodies(scene)) {
         const auto* ball = std::get_if<BallSpec>(&scene.bodies[i].shape);
         if (ball == nullptr || !ball->moves()) continue;

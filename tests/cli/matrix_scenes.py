@@ -188,7 +188,7 @@ def things(*beginnings):
 
 
 MATTER_THINGS = things("gas", "flow", "matter")
-MOVING = {"disc-flow", "disc-gas-flow", "spot", "ball-orbit", "ball-geodesic", "ball-path", "sphere-pulsing", "surface-t"}
+MOVING = {"disc-flow", "disc-gas-flow", "spot", "ball-orbit", "ball-geodesic", "ball-path", "sphere-pulsing", "sphere-turning", "sphere-capped", "surface-t"}
 NO_OBJECTS = {"naked", "neutron-star", "jnw", "formula-abr"}
 ROTATING = {"kerr", "kerr-newman"}
 PARTS = {"doppler", "gravity", "aberration", "lensing"}
@@ -208,7 +208,6 @@ REFUSED = [
     ({"metric": set(WORMHOLES), "thing": {"ball-orbit", "ball-geodesic", "ball-path"}}, "is not available in|motion is not supported in a wormhole"),
     ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MOVING, "switch": set(SWITCHES) - {"delay"}}, "is not available in"),
     ({"metric": {"kerr"}, "thing": {"matter-grid"}, "extra": {"split-metric", "split-delay"}}, "its matter is about a hole"),
-    ({"metric": ROTATING, "thing": {"ball-geodesic"}}, "free fall of balls is not supported"),
     ({"metric": ROTATING, "switch": PARTS}, "off, which is not supported about a rotating hole"),
     ({"metric": {"ellis", "dneg", "formula-abr", "jnw"}, "camera": {"orbit", "counter-orbit"}}, "no circular orbit"),
     ({"metric": {"minkowski", "naked", "neutron-star", "dneg"}, "extra": {"zoom"}}, "photon sphere|in the tube"),

@@ -1,6 +1,8 @@
 // A lamp that falls radially into a hole, between the hole and the camera: the light that it sent round the hole, as the driver draws it against the
 // reference.
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/assets.h"
 #include "reference/reference.h"
@@ -64,6 +66,62 @@ TEST_CASE("falling lamp: its light beside the photon sphere outlives it, and fad
             if (n == 2) CHECK(std::fabs(fades - 1) < kFades);
             before = flux;
         }
+    });
+}
+
+// Pixels beside one that shows what left after the lamp was let go, and beside none that shows earlier light: that of a lamp that rises from the past
+// horizon has no bound.
+std::vector<bool> since_the_start(const Scene& scene) {
+    const auto rays = reference::trace_frame(scene);
+    REQUIRE(rays);
+    const int width = rays->width, height = rays->height;
+    const auto beside = [&](int i, bool late) {
+        for (int y = std::max(i / width - 1, 0); y <= std::min(i / width + 1, height - 1); ++y)
+            for (int x = std::max(i % width - 1, 0); x <= std::min(i % width + 1, width - 1); ++x) {
+                const RayPixel& pixel = rays->pixels[static_cast<std::size_t>(y * width + x)];
+                if (pixel.hit != 0 && (pixel.delay < scene.time) == late) return true;
+            }
+        return false;
+    };
+    std::vector<bool> kept;
+    for (int i = 0; i < width * height; ++i) kept.push_back(beside(i, true) && !beside(i, false));
+    return kept;
+}
+
+// About a rotating hole, whose horizon drags it round.
+TEST_CASE("falling lamp: about a rotating hole it has the reference's flux") {
+    constexpr double kSame = 0.01;
+    constexpr int kSamples = 4;
+    on_one_context([&](GpuSession& session) {
+        double first = 0, last = 0;
+        for (const double time : {14.0, 20.0, 25.0}) {
+            Draft draft;
+            draft.metric("kerr", {{"spin", 0.9}}).place(12, 1.2).by(ObserverKind::kZamo).size(48, 36).plane(0.9);
+            draft.sky(SkyKind::kBlack).at_time(time);
+            draft.body(BallSpec{.position = {3, -3, 1}, .radius = 1.2, .motion = BallMotion::kGeodesic});
+            Scene scene = draft;
+            scene.light.bolometric = true;
+            scene.bodies.front().material.temperature_K = 6000, scene.bodies.front().material.colour = {1, 1, 1};
+            const auto sky = build_sky(scene.sky, assets_directory(), 16);
+            REQUIRE(sky);
+            const std::vector<bool> kept = since_the_start(scene);
+            const auto exact = reference::render_frame(scene, *sky, {}, kSamples);
+            REQUIRE(exact);
+            scene.picture.samples = kSamples;
+            const Image<float> drawn = picture_of(session, scene);
+            const auto sum = [&](const Image<float>& image) {
+                double all = 0;
+                for (std::size_t i = 0; i < image.data.size(); ++i) all += kept[i / 3] ? image.data[i] : 0;
+                return all;
+            };
+            last = sum(*exact);
+            fmt::print(
+                "falling lamp about a rotating hole: t = {}: the driver's flux {:.5f} of the reference's {:.3e}\n",
+                time, sum(drawn) / last, last);
+            CHECK(std::fabs(sum(drawn) / last - 1) < kSame);
+            if (first == 0) first = last;
+        }
+        CHECK(last < 0.2 * first);
     });
 }
 

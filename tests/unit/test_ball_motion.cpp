@@ -13,6 +13,7 @@ namespace {
 
 using namespace nullscope;
 
+constexpr double kRate = 1e-5;   // c: there it rests at once
 constexpr double kPlace = 5e-6;  // r_s: the host stops 1e-6 of it short of a horizon or a star
 
 TEST_CASE("ball motion: free fall, past the hole, into it and out of its past, is the reference's") {
@@ -27,6 +28,12 @@ TEST_CASE("ball motion: free fall, past the hole, into it and out of its past, i
                                      {"schwarzschild", {}, {0, 0, 4}, {0, 0, 0}},
                                      {"reissner-nordstrom", {{"charge", 0.8}}, {6, 0, 1}, {-0.1, 0.05, 0.2}},
                                      {"neutron-star", {{"radius", 2.5}}, {6, 0, 1}, {-0.3, 0, 0.1}},
+                                     {"kerr", {{"spin", 0.9}}, {6, 0, 1}, {0.1, 0.05, 0.25}},
+                                     {"kerr", {{"spin", -0.9}}, {5, 1, 2}, {0, 0, 0}},
+                                     {"kerr", {{"spin", 0.998}}, {0, 0, 6}, {0, 0, 0}},
+                                     {"kerr", {{"spin", 0.7}}, {0, 0, 5}, {0.1, 0.2, 0.1}},
+                                     {"kerr", {{"spin", 0.7}}, {5, 0, 0.5}, {0.1, 0.2, 0}},
+                                     {"kerr-newman", {{"spin", 0.6}, {"charge", 0.6}}, {6, 0, 1}, {-0.1, 0.25, 0.2}},
                                      {"minkowski", {}, {3, 1, 1}, {-0.8, 0, 0}}};
     for (const Case& c : cases) {
         BallSpec ball;
@@ -36,14 +43,21 @@ TEST_CASE("ball motion: free fall, past the hole, into it and out of its past, i
         const auto exact = reference::ball_way(*metric, ball);
         const auto motion = ball_motion(*spacetime, ball);
         REQUIRE(motion);
-        double worst = 0, when = 0;
+        double worst = 0, when = 0, fastest = 0, faster = 0;
         for (const double sense : {1.0, -1.0})
-            for (double t = 0; t < 90; t += 0.37) {
-                const double off = length((*motion)(sense * t).place - exact(sense * t));
+            for (double t = 0.1; t < 90; t += 0.37) {
+                constexpr double kApart = 1e-4;
+                const BallPlace there = (*motion)(sense * t);
+                const double off = length(there.place - exact(sense * t));
+                const Vec3 rate = (exact(sense * t + kApart) - exact(sense * t - kApart)) / (2 * kApart);
                 if (!(off <= worst)) worst = off, when = sense * t;
+                if (!(length(there.velocity - rate) <= fastest))
+                    fastest = length(there.velocity - rate), faster = sense * t;
             }
-        fmt::print("free fall in {}: off by at most {:.1e} r_s, at t = {:.1f}\n", c.metric, worst, when);
+        fmt::print("free fall in {}: off by at most {:.1e} r_s, at t = {:.1f}; velocity by {:.1e} c at t = {:.1f}\n",
+                   c.metric, worst, when, fastest, faster);
         CHECK(worst < kPlace);
+        if (spacetime->rotates()) CHECK(fastest < kRate);
     }
 }
 

@@ -122,6 +122,54 @@ TEST_CASE("body shift: what circles has that of its orbit") {
     }
 }
 
+// The same along the axis of a rotating hole, where A = Delta/(r^2 + a^2) = 1/B: the slope tends to -kappa, the surface gravity of the
+// horizon, kappa = (r_+ - r_-)/(2 (r_+^2 + a^2)); without rotation and charge 1/2.
+TEST_CASE("body shift: a lamp that falls along the axis of a rotating hole reddens as exp(-kappa t)") {
+    constexpr double kSlope = 1e-3;
+    constexpr double kVelocity = 1e-7;  // of what is a difference: 1 - w^2 is some A
+    constexpr double kStart = 6;
+    for (const auto& [spin, charge, last] : {std::tuple{0.9, 0.0, 40.0}, {-0.6, 0.6, 37.5}}) {
+        const double a = 0.5 * spin, root = std::sqrt(1 - spin * spin - charge * charge), outer = 0.5 * (1 + root),
+                     inner = 0.5 * (1 - root);
+        const auto area = [&](double r) { return r * r + a * a; };
+        const auto lapse2 = [&](double r) { return (r - outer) * (r - inner) / area(r); };
+        const auto tortoise = [&](double r) {
+            return r + (area(outer) * std::log(r - outer) - area(inner) * std::log(r - inner)) / root;
+        };
+        const double energy = std::sqrt(lapse2(kStart)), kappa = 0.5 * root / area(outer);
+        Draft draft;
+        draft.metric("kerr-newman", {{"spin", spin}, {"charge", charge}}).place(20, 0).by(ObserverKind::kZamo);
+        draft.size(1, 1).plane(0.01).sky(SkyKind::kBlack);
+        draft.body(BallSpec{.position = {0, 0, kStart}, .radius = 0.01, .motion = BallMotion::kGeodesic});
+        const Scene scene = hot(draft);
+        const auto tracer = reference::FrameTracer::make(scene);
+        REQUIRE(tracer);
+        const reference::Bodies bodies(scene, tracer->matter());
+        const reference::BodyPart& part = bodies.parts().front();
+        const auto ray = tracer->ray(0.5, 0.5);
+        double slope = 0;
+        for (const double t : {10.0, 22.0, 32.0, last}) {
+            double clocks[2], gs[2];
+            for (const int i : {0, 1}) {
+                const double when = t + (i == 0 ? -0.1 : 0.1);
+                reference::BodyHit hit{0, part.middle(when), part.number, 0, {0, 0, 1}, 1, part.middle(when)};
+                hit.toward = {0, 0, 1};
+                part.tell(hit, when);
+                const double r = hit.middle.z, here = lapse2(r);
+                const auto own = reference::body_shift(tracer->matter(), *ray, hit, true);
+                gs[i] = own.gravity * own.doppler, clocks[i] = when - tortoise(r);
+                CAPTURE(spin);
+                CAPTURE(r);
+                CHECK(std::fabs(gs[i] * (energy + std::sqrt(energy * energy - here)) / here - 1) < kVelocity / here);
+            }
+            slope = std::log(gs[1] / gs[0]) / (clocks[1] - clocks[0]);
+            fmt::print("body shift: a/M = {}, Q/M = {}: r - r_+ = {:.1e}: slope of ln(g) {:.6f}, -kappa {:.6f}\n", spin,
+                       charge, part.middle(t).z - outer, slope, -kappa);
+        }
+        CHECK(std::fabs(slope + kappa) < kSlope);
+    }
+}
+
 // From rest at r_0 = 6, seen from above: u^t = E/A, u^r = -sqrt(E^2 - A), so light to the camera has g = A/(E + sqrt(E^2 - A)) of what the one at
 // infinity has, and the camera's clock runs by dt - dr_*: the slope of ln(g) is -1/(2 r^2), over r_s/c, where E = 1, and tends to -1/2.
 TEST_CASE("body shift: a lamp that falls reddens as exp(-t/2)") {
