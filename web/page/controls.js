@@ -12,19 +12,20 @@ const FIRST = {
   light: ["lensing", "aberration", "doppler", "gravity", "beaming", "delay"],
   picture: ["bloom", "tone", "auto_exposure", "ticks", "streamlines", "polariser"],
 };
-const ORDER = ["camera", "disc", "spot", "sphere", "cylinder", "sky", "far_sky", "light", "picture"];
+const ORDER = ["camera", "disc", "spot", "sphere", "cap", "cylinder", "sky", "far_sky", "light", "picture"];
 const OPEN = ["spacetime", "camera"];
 const OPTIONAL = ["disc"];  // sections that a scene may do without
 // Where a slider's way is shorter than what is allowed.
 const SPANS = {
   "camera.exposure": [-6, 6], "camera.fov": [10, 150], "disc.brightness": [0, 10], "disc.inner": [0, 20], "disc.outer": [0, 60],
   "sky.brightness": [0, 4], "far_sky.brightness": [0, 4], "disc.temperature": [1000, 100000], "sky.temperature": [1000, 100000],
-  "sphere.temperature": [1000, 100000], "cylinder.temperature": [1000, 100000],
+  "sphere.temperature": [1000, 100000], "sphere.spin_rate": [-0.3, 0.3], "cap.temperature": [1000, 100000], "cap.brightness": [0, 10],
+  "cylinder.temperature": [1000, 100000],
   "picture.polariser": [0, 180], "spot.r": [1.5, 20], "spot.size": [0.05, 2], "spot.brightness": [0, 10], "spot.temperature": [1000, 100000],
 };
 const WORDS = {
   fov: "Field of view", r: "Distance r", yaw: "Turn", pitch: "Tilt up", "sky.yaw": "Turn", "far_sky.yaw": "Turn", u: "u", v: "v",
-  far_sky: "Far sky", zamo: "ZAMO", spot: "Hot spot", picture: "Picture", cylinder: "Thick disc", sphere: "Sphere",
+  far_sky: "Far sky", zamo: "ZAMO", spot: "Hot spot", picture: "Picture", cylinder: "Thick disc", sphere: "Sphere", cap: "Hot cap",
   "light.gravity": "Gravitational shift", "light.doppler": "Doppler shift", "light.delay": "Light-travel time", "sky.kind": "Shows",
   "reissner-nordstrom": "Reissner\u2013Nordstr\u00f6m (charged)", kerr: "Kerr (rotating)", "kerr-newman": "Kerr\u2013Newman",
   ellis: "Ellis wormhole", "dneg-wormhole": "Wormhole of \u201cInterstellar\u201d", minkowski: "Flat", schwarzschild: "Schwarzschild",
