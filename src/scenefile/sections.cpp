@@ -83,14 +83,6 @@ Section path_row() {
     return row;
 }
 
-// A cap is on a sphere that shines.
-void propose_sphere(Scene& s) {
-    constexpr double kStar = 6000.0;
-    if (seen_sphere(s) == nullptr) add<SphereSpec>(s);
-    for (Body& body : s.bodies)
-        if (&body == seen_sphere(s) && !body.material.temperature_K) body.material.temperature_K = kStar;
-}
-
 Section spot_row() {
     return {.name = "spot",
             .help = "A hot spot that orbits in the disc.",
@@ -101,11 +93,10 @@ Section spot_row() {
 
 Section cap_row() {
     return {.name = "cap",
-            .help = "A hot cap on the sphere.",
+            .help = "A hot cap on a sphere with a temperature.",
             .add = [](Scene& s) { s.caps.emplace_back(); },
             .list = &kCaps,
-            .is = [](const Scene&, std::size_t) { return true; },
-            .propose = propose_sphere};
+            .is = [](const Scene&, std::size_t) { return true; }};
 }
 
 Section body_row(const BodyKind& kind) {

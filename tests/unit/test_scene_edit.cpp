@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "scene/bodies.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_keys.h"
@@ -97,6 +98,10 @@ TEST_CASE("scene edit: sections come and go") {
         const Scene before = shipped("first-light");
         Scene scene = before;
         if (section == "disc") scene.disc.reset();
+        if (section == "cap") {  // as a spot needs a disc
+            Material& star = add_body<SphereSpec>(scene).material;
+            star.temperature_K = 6000, star.colour = {1, 1, 1};
+        }
         auto with = with_section(scene, section);
         REQUIRE_MESSAGE(with, with.error().message());
         const SectionRef at = section_of(*with, section);
