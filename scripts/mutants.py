@@ -12,6 +12,7 @@ STOKES = ("gpu_tests", "polarised matter*")
 GAS = ("gpu_tests", "disc gas*")
 GAS_LAW = ("unit_tests", "disc gas*")
 LINE = ("unit_tests", "line profile*")
+LAMP = ("unit_tests", "disc emissivity: a lamp*")
 MATRIX = ("cli", "test_matrix.py")
 VISIBILITY = ("unit_tests", "visibility*")
 RING_PARTS = ("unit_tests", "ring parts*")
@@ -189,6 +190,10 @@ MUTANTS = [Mutant(*row) for row in [
      "- p.slope * r * r / across2 * u.u_r", "+ p.slope * r * r / across2 * u.u_r", LINE),
     ("line-mean", "a cell's mean by its corners alone", "src/spectrum/line_profile.cpp",
      "(round + outward) / 12.0", "0.0 * (round + outward)", LINE),
+    ("lamp-index", "a lamp's photons with the energy's power of G", "src/spacetime/lamp_light.cpp",
+     "std::pow(energy, lamp.index - 1.0)", "std::pow(energy, lamp.index)", LAMP),
+    ("lamp-time", "the way to the plane as if it did not change with the ray", "src/spacetime/lamp_light.cpp",
+     "by_delta + slope * time.slope", "by_delta", LAMP),
     ("limb-motion", "the matter's motion left out of the light's angle to the disc", "shaders/planar/disc.glsl",
      "1.0e-20) * (g / g_of(trace));", "1.0e-20);", LIMB),
     ("limb-camera", "the camera's motion in the light's angle to a rotating hole's disc", "shaders/mino/disc.glsl",

@@ -12,10 +12,12 @@
 
 #include "base/text.h"
 #include "cli/command.h"
+#include "cli/line_emissivity.h"
 #include "cli/spectrum_plot.h"
 #include "cli/table_file.h"
 #include "command/options.h"
 #include "observer/pose.h"
+#include "scene/disc_emissivity.h"
 #include "scene/leaning_disc.h"
 #include "scene/orbit_sense.h"
 #include "scenefile/scene_file.h"
@@ -32,11 +34,10 @@ constexpr double kOuter = 200.0;         // r_s, without a scene's disc: 400 GM/
 constexpr double kInclination_deg = 30;  // without a scene
 constexpr double kAboveHorizon = 1.001;  // of its radius: innermost rim
 constexpr double kLargestRadius = 1e6;   // r_s
-constexpr double kSteepest = 20.0;       // of the emissivity's power
 constexpr double kOneDegree = M_PI / 180.0;
 
 struct SpectrumOptions {
-    std::string scene, output = "spectrum", inner, emissivity = "3", limb = "isotropic";
+    std::string scene, output = "spectrum", inner, emissivity, limb = "isotropic";
     std::optional<double> spin, inclination_deg, outer, line_kev, ring, from, to;
     int bins = 1000;
     GivenWords given;
@@ -48,7 +49,8 @@ struct Source {
     std::shared_ptr<const Spacetime> spacetime;
     double inclination = 0, inner = 0, outer = 0, isco = 0;
     Sense sense = Sense::kEastward;
-    std::optional<double> power{};  // q; nothing: thermal
+    EmissivitySpec emissivity{};
+    bool thermal() const { return emissivity.by == Emissivity::kAccretion; }
     Scene scene{};
     bool from_below() const { return inclination_deg > 90.0; }
     double inclination_deg = 0;  // as it was asked for, of either face
@@ -73,7 +75,7 @@ std::string name_of(const Scene& scene) {
 Status set_rims(Source& source, const SpectrumOptions& options, const std::optional<DiscSpec>& disc) {
     if (options.ring && (!options.inner.empty() || options.outer))
         return bad_input("--ring with --inner or --outer", "a ring or a disc");
-    if (options.ring && source.power && options.given.has("--emissivity"))
+    if (options.ring && !source.thermal() && options.given.has("--emissivity"))
         return bad_input("--emissivity: no effect on a --ring of one radius", "a disc, or thermal");
     source.inner = disc && options.inner.empty() ? disc->inner : source.isco;
     if (!options.inner.empty() && options.inner != "isco") {
@@ -94,7 +96,7 @@ Status set_rims(Source& source, const SpectrumOptions& options, const std::optio
     if (!options.ring && !(source.outer > source.inner))
         return bad_input(fmt::format("an outer rim of {:g} r_s is not outside of the inner one", source.outer),
                          fmt::format("--outer above {:.10g}", source.inner));
-    if (source.power) return Done{};
+    if (!source.thermal()) return Done{};
     if (!(source.outer > source.isco))
         return bad_input(
             fmt::format("a thermal disc is dark within the innermost stable orbit, {:.10g} r_s", source.isco),
@@ -126,16 +128,13 @@ Result<Source> source_of(const SpectrumOptions& options) {
                  from_axis_deg = options.inclination_deg.value_or(theta_deg);
     source.inclination_deg = from_axis_deg;
     source.inclination = std::min(from_axis_deg, 180.0 - from_axis_deg) * kOneDegree;  // from below it is the same
-    if (options.emissivity != "thermal") {
-        source.power = number_in(options.emissivity, -kSteepest, kSteepest);
-        if (!source.power)
-            return bad_input(fmt::format("--emissivity {}: not a power of the radius", options.emissivity),
-                             fmt::format("q of r^-q from {:g} to {:g}, or thermal", -kSteepest, kSteepest));
-    }
+    TRY(emissivity, line_emissivity(options.emissivity, scene));
+    source.emissivity = std::move(*emissivity);
     TRY(light, DistantLight::make(*spacetime, source.inclination));  // which has an innermost stable orbit then
     if (scene.disc) source.sense = sense_about(**spacetime, scene.disc->sense);
     source.isco = *innermost_stable_orbit(**spacetime, source.sense);
     TRY(rims, set_rims(source, options, scene.disc));
+    TRY(shines, lit_part(source.emissivity, **spacetime, source.inner, source.outer));
     source.scene = std::move(scene);
     return source;
 }
@@ -145,12 +144,10 @@ DiscLine line_profile_of(const Source& source, const SpectrumOptions& options) {
     line.sense = source.sense;
     line.limb = options.limb == "laor" ? Limb::kLaor : options.limb == "haardt" ? Limb::kHaardt : Limb::kIsotropic;
     line.emissivity = [&source](const std::vector<double>& radii) {
-        if (!source.power) return disc_flux(*source.spacetime, radii, source.sense);
-        std::vector<double> values;
-        values.reserve(radii.size());
-        for (const double r : radii) values.push_back(std::pow(r, -*source.power));
-        return values;
+        return source.thermal() ? disc_flux(*source.spacetime, radii, source.sense)
+                                : disc_emissivity(*source.spacetime, radii, source.emissivity, source.sense);
     };
+    if (source.emissivity.by == Emissivity::kPowerLaw) line.kinks = source.emissivity.breaks;
     if (!is_polarised(source.scene)) return line;
     const PolarisationSpec& spec = source.scene.disc->polarisation;
     Vec3 field = field_of(spec);
@@ -173,7 +170,7 @@ std::string bin_words(const Source& source, const SpectrumOptions& options) {
                                   : fmt::format("disc from {:.10g} to {:.10g} r_s", source.inner, source.outer);
     return fmt::format("{}{}, inclination {:g} degrees, emissivity {}, limb {}", place,
                        source.sense == Sense::kWestward ? ", westward" : "", source.inclination / kOneDegree,
-                       source.power ? fmt::format("r^{:g}", -*source.power + 0.0) : "thermal", options.limb);
+                       emissivity_words(source.emissivity), options.limb);
 }
 
 std::string spectrum_columns(const Source& source, const SpectrumOptions& options, const ConvergedProfile& found) {
@@ -279,8 +276,12 @@ void add_spectrum(Command& parent) {
                   "Outer rim, r_s (default: the scene's, or 200)");
     number_option(command, "--ring", options.ring, 0, kLargestRadius,
                   "One ring of this radius, r_s, instead of the disc: its profile and the extremes of its g");
-    text_option(command, "--emissivity", options.emissivity,
-                "q of an emissivity r^-q, or thermal, the flux of an accreting disc (Page and Thorne)");
+    command.add_option(
+        "--emissivity", &options.emissivity,
+        "q of an emissivity r^-q; Q:R:Q or Q:R:Q:R:Q with breaks at R, r_s; thermal, the flux of an accreting disc "
+        "(Page "
+        "and Thorne); lamp:HEIGHT or lamp:HEIGHT:INDEX, a lamp post; FILE.csv, a table (default: the scene's "
+        "disc.emissivity, or 3)");
     text_option(
         command, "--limb", options.limb,
         "Emission by the cosine mu to the disc's normal: isotropic (1), laor (1 + 2.06 mu), haardt (ln(1 + 1/mu))",

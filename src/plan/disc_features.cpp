@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "plan/emissivity_keys.h"
 #include "plan/feature.h"
 #include "scene/leaning_disc.h"
 #include "scene/projection.h"
@@ -168,7 +169,7 @@ std::span<const Feature> disc_features() {
          [](Scene& s) { s.disc.emplace(); },
          [](Scene& s) { s.disc->opacity = 0.5; }},
         {{Effect::kThermalDisc, "thermal-disc", "EFFECT_THERMAL_DISC",
-          "The disc's matter moves on geodesics and emits thermal light powered by accretion.",
+          "The disc's matter moves on geodesics and emits thermal light, by accretion or another disc.emissivity.",
           "disc.emission is \"thermal\"", "six fetches a crossing"},
          [](const FrameFacts& f) { return reason_if(f.thermal(), "disc.emission = \"thermal\""); },
          [](Scene& s) { s.disc->emission = DiscEmission::kImage; },
@@ -176,7 +177,8 @@ std::span<const Feature> disc_features() {
          glowing<false, false>,
          [](const Scene& s) {
              return s.disc && (!s.disc->image.empty() || s.disc->material.texture != TextureKind::kImage);
-         }},
+         },
+         emissivity_keys()},
         {{Effect::kDiscFlow, "disc-flow", "EFFECT_DISC_FLOW",
           "Each ring of the disc's pattern moves at the orbital speed of the matter.", "disc.flow is \"kepler\"",
           "the pattern twice a crossing"},

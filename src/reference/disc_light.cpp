@@ -10,6 +10,7 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "light/black_body.h"
+#include "reference/disc_emissivity.h"
 #include "reference/seen_light.h"
 
 namespace nullscope::reference {
@@ -119,7 +120,10 @@ DiscLight::DiscLight(const Metric& metric, const DiscSpec& disc, const LightSpec
     };
     hottest_is(disc.temperature_K);
     const double horizon = metric.horizon_radius().value_or(0.0);
-    if (horizon == 0.0) return;
+    if (horizon == 0.0) {
+        tabulate_emissivity();
+        return;
+    }
     // The least energy of all circles: Boost's Brent gives half of the digits, a bisection of its slope the rest.
     const auto slope = [&](double r) { return derivative(circles(r), &Circle::energy, r, apart(r)); };
     double low = metric.within_last_circle(), high = metric.beyond_last_circle();
@@ -135,14 +139,31 @@ DiscLight::DiscLight(const Metric& metric, const DiscSpec& disc, const LightSpec
     hottest_ = boost::math::tools::brent_find_minima([&](double r) { return -flux(r); }, isco_, high, 30).first;
     const double peak = flux(hottest_);
     if (disc.accretion) hottest_is(accretion_temperature_K(*disc.accretion, peak));
-    if (!(disc.outer > isco_)) return;
-    tabulate_heat(disc.outer, peak);
+    if (disc.emissivity.by != Emissivity::kAccretion)
+        tabulate_emissivity();
+    else if (disc.outer > isco_)
+        tabulate_heat(disc.outer, peak);
+}
+
+// By steps of ln r from rim to rim.
+void DiscLight::tabulate_emissivity() {
+    if (disc_.emissivity.by == Emissivity::kAccretion) return;
+    constexpr int kSteps = 4000;
+    heated_ = std::max(disc_.inner, metric_.horizon_radius().value_or(0.0) * (1 + 1e-5));
+    if (!(disc_.outer > heated_)) return;
+    step_ = std::log(disc_.outer / heated_) / kSteps;
+    std::vector<double> radii;
+    for (int i = 0; i <= kSteps; ++i) radii.push_back(heated_ * std::exp(step_ * i));
+    heat_ = emissivity_of(metric_, *this, disc_.emissivity, radii);
+    const double most = std::max(*std::ranges::max_element(heat_),
+                                 largest_at_kinks(metric_, *this, disc_.emissivity, heated_, disc_.outer));
+    for (double& value : heat_) value = most > 0 ? value / most : 0;
 }
 
 // Each ring adds to what those within it gained, over its width by the cubic through four: off by 11/720 step^4 of that, below 1e-11.
 void DiscLight::tabulate_heat(double outer, double peak) {
     constexpr std::size_t kSteps = 4000;
-    step_ = std::log(outer / isco_) / kSteps;
+    heated_ = isco_, step_ = std::log(outer / isco_) / kSteps;
     const auto radius = [&](std::size_t i) { return isco_ * std::exp(step_ * (static_cast<double>(i) - 1)); };
     std::vector<Ring> rings(kSteps + 3);  // one within the last circle, one beyond the disc
     tbb::parallel_for(std::size_t{0}, rings.size(), [&](std::size_t i) { rings[i] = ring(radius(i)); });
@@ -156,8 +177,8 @@ void DiscLight::tabulate_heat(double outer, double peak) {
 }
 
 double DiscLight::heat(double r) const {
-    if (heat_.empty() || !(r > isco_)) return 0.0;
-    const double x = std::log(r / isco_) / step_;
+    if (heat_.empty() || !(r > heated_)) return 0.0;
+    const double x = std::log(r / heated_) / step_;
     const int last = static_cast<int>(heat_.size()) - 1, i = std::clamp(static_cast<int>(x) - 1, 0, last - 3);
     const double f = x - i, *h = heat_.data() + i;  // cubic through four
     return std::max(-h[0] * (f - 1) * (f - 2) * (f - 3) / 6 + h[1] * f * (f - 2) * (f - 3) / 2 -

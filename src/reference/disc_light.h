@@ -40,6 +40,8 @@ public:
     Velocity circling(double r) const;  // on the circular orbit there, stable or not
     // Flux per unit of accretion rate, 1/r_s^2; some 30 microseconds.
     double flux(double r) const;
+    // What the disc shines by, over its largest value between the rims (of accretion: anywhere); from a table: 1e-8 of the largest, of lamps 1e-5.
+    double heat(double r) const;
     double hottest_K() const { return disc_.temperature_K; }
     double innermost() const { return isco_; }   // stable circular orbit, r_s
     double hottest() const { return hottest_; }  // radius of the largest flux, r_s
@@ -64,16 +66,16 @@ private:
     Circles circles(double r) const;
     Ring ring(double r) const;
     void tabulate_heat(double outer, double peak);
+    void tabulate_emissivity();
     PhotonAtDisc met(const PhotonAtDisc& photon) const;  // as matter there meets it, with lensing or straight
-    double heat(double r) const;                         // flux over the largest, from a table: 1e-8 of the largest
 
     const Metric& metric_;
     DiscSpec disc_;
     LightSpec light_;
     double sense_;
     double isco_ = 0, hottest_ = 0, luminance_ = 1;
-    std::vector<double> heat_;  // flux over the largest, at equal steps of ln(r/isco)
-    double step_ = 1;
+    std::vector<double> heat_;  // flux over the largest, at equal steps of ln(r/heated_)
+    double step_ = 1, heated_ = 0;
 };
 
 }  // namespace nullscope::reference

@@ -5,6 +5,7 @@
 #include "plan/medium.h"
 #include "render/frame_textures.h"
 #include "scene/bodies.h"
+#include "scene/disc_emissivity.h"
 #include "scene/orbit_sense.h"
 #include "shaderlib/passes.h"
 #include "sky/packed_sky.h"
@@ -127,12 +128,18 @@ void FrameInputs::load_heat(const FrameTables& tables) {
                                        accretion->rate_eddington)};
     const auto leaning =
         tables.effects().contains(Effect::kDiscLean) ? std::optional(scene.disc->lean.tilt) : std::nullopt;
-    const auto key = std::make_tuple(scene.spacetime, sense, leaning, scene.disc->inner, scene.disc->outer,
-                                     scene.light.doppler, scene.light.gravity, scene.light.lensing);
+    const auto key =
+        std::make_tuple(scene.spacetime, sense, leaning, scene.disc->inner, scene.disc->outer, scene.light.doppler,
+                        scene.light.gravity, scene.light.lensing, scene.disc->emissivity);
     if (flow_key_ == key) return;
+    RingLight shines;
+    if (scene.disc->emissivity.by != Emissivity::kAccretion)
+        shines = [&](const std::vector<double>& radii) {
+            return disc_emissivity_shares(tables.matter(), radii, scene.disc->emissivity, sense);
+        };
+    const ShiftParts parts{scene.light.doppler, scene.light.gravity, !scene.light.lensing};
     disc_flow_ =
-        texture_of(disc_flow_row(tables.matter(), scene.disc->inner, scene.disc->outer,
-                                 {scene.light.doppler, scene.light.gravity, !scene.light.lensing}, sense, leaning));
+        texture_of(disc_flow_row(tables.matter(), scene.disc->inner, scene.disc->outer, parts, sense, leaning, shines));
     flow_key_ = key;
 }
 

@@ -93,8 +93,9 @@ private:
     std::optional<SkyAsked> sky_asked_;
     SkyFaces sky_faces_;  // of it
     bool keep_finer_sky_ = false;
-    std::optional<std::tuple<SpacetimeSpec, Sense, std::optional<double>, double, double, bool, bool, bool>>
-        flow_key_;    // of disc_flow_: its sense and radii, parts of g
+    std::optional<
+        std::tuple<SpacetimeSpec, Sense, std::optional<double>, double, double, bool, bool, bool, EmissivitySpec>>
+        flow_key_;    // of disc_flow_: its sense and radii, parts of g, its heat
     struct Hottest {  // ring of the disc, where accretion heats it
         std::optional<AccretionSpec> by;
         SpacetimeSpec about;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "scene/disc_heat_spec.h"
 #include "scene/disc_plane.h"
 #include "scene/known_object.h"
 #include "scene/medium_spec.h"
@@ -176,21 +177,8 @@ inline Material sky_material(const SkySpec& sky) {
 
 // A flat disc in a plane through the centre, the equatorial one if it does not lean, visible from both sides. The image is mapped affinely: its square
 // [0,1]^2 covers [-outer, outer]^2 in the disc's (x, y), rotated by `rotation`; image row 0 is y = +outer.
-// kImage: the light of image or texture as it is. kThermal: thermal emission, flux by Page and Thorne; image or texture are then the
-// emissivity.
+// kImage: the light of image or texture as it is. kThermal: thermal emission, flux by DiscSpec::emissivity, which image or texture multiply.
 enum class DiscEmission { kImage, kThermal };
-
-// What heats a thermal disc. Rates in L_Eddington/(0.1 c^2), L_Eddington = 4 pi G M m_p c/sigma_T.
-struct AccretionSpec {
-    double mass_suns = 1e8, rate_eddington = 0.1;
-    friend bool operator==(const AccretionSpec&, const AccretionSpec&) = default;
-};
-
-// Effects on a disc's light that are on or off, each with a key (scenefile/scene_keys.h, on_off_key).
-struct DiscEffects {
-    bool limb_darkening = false;  // thermal: Chandrasekhar's law for an electron-scattering atmosphere
-    friend bool operator==(const DiscEffects&, const DiscEffects&) = default;
-};
 
 struct DiscSpec {
     double inner = 3.0, outer = 12.0;  // 0 < inner < outer
@@ -209,7 +197,8 @@ struct DiscSpec {
     // Only colours, formula, columns and rows are used; with texture kImage the picture is `image`. u = 1/2 + azimuth/2 pi,
     // v = (r - inner)/(outer - inner); x, y: the point in the disc, z = 0.
     Material material{.texture = TextureKind::kImage};
-    GasSpec gas{};  // with texture kGas
+    EmissivitySpec emissivity{};  // thermal
+    GasSpec gas{};                // with texture kGas
     DiscEffects effects{};
     PolarisationSpec polarisation{};
     friend bool operator==(const DiscSpec&, const DiscSpec&) = default;

@@ -23,6 +23,7 @@
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
 #include "scenefile/disc_orbit_check.h"
+#include "scenefile/emissivity_check.h"
 #include "scenefile/path_values.h"
 #include "scenefile/projection_words.h"
 #include "scenefile/scene_value.h"
@@ -367,6 +368,8 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     const World world = world_of(scene.spacetime), other = scene.split ? world_of(*scene.split) : nullptr;
     Faults faults = check_path(scene);
     append(faults, check_disc(scene, world, given));
+    append(faults, emissivity_faults(world.get(), scene, given));
+    if (other) append(faults, of_right_half(emissivity_faults(other.get(), scene, given)));
     if (world) append(faults, disc_orbit_faults(*world, scene));
     if (other) append(faults, of_right_half(disc_orbit_faults(*other, scene)));
     append(faults, check_patterns(scene));

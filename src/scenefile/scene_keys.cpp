@@ -294,8 +294,9 @@ constexpr SceneKey kKeys[] = {
      "Surface texture: an image, one colour, a pattern of two colours in azimuth and radius, or turbulent gas.",
      [](auto& s) { return &s.disc->material.texture; }},
     {"disc", "emission", KeyType::kChoice, "", "image", kNoRange, "image thermal",
-     "Where its light comes from: the image or texture itself, or thermal emission powered by accretion (image or "
-     "texture then give the emissivity).",
+     "Where its light comes from: the image or texture itself, or thermal emission, by accretion or another "
+     "`emissivity`, "
+     "which image or texture multiply.",
      [](auto& s) { return &s.disc->emission; }},
     {"disc", "temperature", KeyType::kNumber, "K", "8000", kTemperature, "",
      "Temperature of the hottest ring of a thermal disc, in its own frame; that ring has brightness 1.",

@@ -253,15 +253,26 @@ LineProfile profile_of_ring(const DistantLight& light, const Rings& rings, const
     return profile;
 }
 
+// Of the pieces: where the emissivity and the matter's motion are smooth between them.
+std::vector<double> rims_of(const DiscLine& line, double isco) {
+    constexpr double kThinnest = 1e-3;  // of a radius; thinner pieces are left to their neighbour
+    std::vector<double> within = line.kinks, rims{line.inner};
+    within.push_back(isco);
+    std::ranges::sort(within);
+    for (const double r : within)
+        if (r > (1.0 + kThinnest) * rims.back() && (1.0 + kThinnest) * r < line.outer) rims.push_back(r);
+    rims.push_back(line.outer);
+    return rims;
+}
+
 }  // namespace
 
 LineProfile line_profile(const DistantLight& light, const DiscLine& line, const LineBins& bins,
                          const LineCells& cells) {
     const Rings rings(light, line);
     if (line.inner == line.outer) return profile_of_ring(light, rings, line, bins, cells);
-    std::vector<double> rims{line.inner, line.outer};
-    if (line.inner < rings.isco() && rings.isco() < line.outer) rims.insert(rims.begin() + 1, rings.isco());
     std::vector<Piece> pieces;
+    const std::vector<double> rims = rims_of(line, rings.isco());
     for (std::size_t i = 1; i < rims.size(); ++i)
         pieces.push_back(piece_of(light, rings, line, rims[i - 1], rims[i], cells));
     LineProfile profile = empty_profile(bins, pieces);

@@ -37,6 +37,7 @@ struct DiscLine {
     double inner, outer;  // r_s, outside of the horizon; equal: one ring, of unit width
     // Of each of these radii, in any unit.
     std::function<std::vector<double>(const std::vector<double>& radii)> emissivity;
+    std::vector<double> kinks{};  // radii where its slope jumps, ascending; cells end there
     Limb limb = Limb::kIsotropic;
     Sense sense = Sense::kEastward;                            // of its matter
     std::function<LinePolarisation(double r)> polarisation{};  // of light from this radius; nothing: it has none

@@ -112,14 +112,14 @@ std::array<double, 2> disc_lapses(const Spacetime& spacetime, double r, ShiftPar
 }
 
 TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts, Sense sense,
-                        std::optional<double> leaning) {
+                        std::optional<double> leaning, const RingLight& shines) {
     const double horizon = spacetime.horizon_radius().value_or(0.0);
     const double from = std::max(inner, (1.0 + 1e-6) * horizon);
     std::vector<double> radii;
     for (int i = 0; i <= kDiscFlowCells; ++i)
         radii.push_back(std::max(inner * std::pow(outer / inner, double(i) / kDiscFlowCells), from));
-    const std::vector<double> flux = disc_flux(spacetime, radii, sense);
-    const double peak = disc_flux_peak(spacetime, sense).flux;
+    const std::vector<double> flux = shines ? shines(radii) : disc_flux(spacetime, radii, sense);
+    const double peak = shines ? 1.0 : disc_flux_peak(spacetime, sense).flux;
     const DiscMatterFlow matter(spacetime, sense);
     TexelGrid row{kDiscFlowCells + 1, kDiscFlowRows, {}};
     std::vector<float> factors;

@@ -6,6 +6,7 @@
 //     F(r) = -Omega' / (4 pi r (E - Omega L)^2)  integral from r_isco to r of (E - Omega L) L' dr.
 #pragma once
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -41,9 +42,11 @@ struct ShiftParts {
     bool doppler = true, gravity = true, straight = false;
 };
 // leaning: of a disc about a rotating hole with this tilt; the velocity is then 1, leaning_rate(), 0 (spacetime/leaning_circle.h), the heat that of
-// the disc of this sense that does not lean.
+// the disc of this sense that does not lean. shines: what heats the disc, by these radii, over its largest value; nothing: accretion.
+using RingLight = std::function<std::vector<double>(const std::vector<double>& radii)>;
 TexelGrid disc_flow_row(const Spacetime& spacetime, double inner, double outer, ShiftParts parts = {},
-                        Sense sense = Sense::kEastward, std::optional<double> leaning = {});
+                        Sense sense = Sense::kEastward, std::optional<double> leaning = {},
+                        const RingLight& shines = {});
 
 // For shaders/core/polarisation.glsl: sqrt(Delta)/r at the matter, without rotation sqrt(A), and of the light that it emits: 1 where that runs straight.
 std::array<double, 2> disc_lapses(const Spacetime& spacetime, double r, ShiftParts parts);

@@ -10,6 +10,7 @@
 #include "scenefile/scene_keys.h"
 #include "spacetime/registry.h"
 #include "viewer/critical_overlay.h"
+#include "viewer/heat_rows.h"
 #include "viewer/length_fields.h"
 #include "viewer/panel_rows.h"
 #include "viewer/potential_plot.h"
@@ -81,7 +82,7 @@ void scene_section(ViewState& view, bool escape) {
     }
 }
 
-bool disc_section(ViewState& view) {
+bool disc_section(ViewState& view, bool escape) {
     bool on = view.scene.disc.has_value();
     bool changed = tick("Shown", on);
     if (changed) {
@@ -99,8 +100,12 @@ bool disc_section(ViewState& view) {
                            "Inner radius. 3 r_s is the innermost stable circular orbit of a hole without spin.");
     changed |= drag_length("Outer", disc.outer, 0.05, outer, outer.low, outer.high, style, "Outer radius.");
     bool thermal = disc.emission == DiscEmission::kThermal;
-    changed |= tick("Thermal", thermal, "Thermal emission powered by accretion; an image then gives the emissivity.");
+    changed |= tick("Thermal", thermal, "Thermal emission, by accretion or what else heats it, times an image.");
     disc.emission = thermal ? DiscEmission::kThermal : DiscEmission::kImage;
+    if (thermal) {
+        const double horizon = spacetime ? spacetime->horizon_radius().value_or(0.0) : 0.0;
+        changed |= heat_rows(disc, horizon, style, escape);
+    }
     if (thermal && disc.accretion) {
         changed |= slide_key("disc.mass", "Mass", disc.accretion->mass_suns, 1.0, 1e10, "%.3g suns",
                              "Mass of the hole; together with the accretion rate it sets the temperature.",

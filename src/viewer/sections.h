@@ -22,7 +22,7 @@ bool clock_section(ViewState& view);
 inline constexpr double kClockStep_s = 0.1;
 bool step_clock(ViewState& view, double dt_s);  // the scene's clock goes on; true if anything moved
 bool lens_section(ViewState& view);
-bool disc_section(ViewState& view);
+bool disc_section(ViewState& view, bool escape);
 bool sky_section(ViewState& view, bool escape);
 bool light_section(ViewState& view, bool escape);
 bool spacetime_section(ViewState& view, bool escape);

@@ -44,7 +44,7 @@ void draw_side_panel(PanelPlace& place) {
         part("Camera", kOpen, [&] { return camera_section(view); });
         part("Speed of the camera", kOpen, [&] { return boost_section(view); });
         part("Lens", kOpen, [&] { return lens_section(view); });
-        part("Disc", kShut, [&] { return disc_section(view); });
+        part("Disc", kShut, [&] { return disc_section(view, escape); });
         part("Sky", kShut, [&] { return sky_section(view, escape); });
         part("Light", kShut, [&] { return light_section(view, escape); });
         part("Spacetime", kShut, [&] { return spacetime_section(view, escape); });

@@ -42,6 +42,7 @@ THINGS = {
     "disc-thermal": {"disc": THERMAL},
     "disc-limb": {"disc": {**THERMAL, "limb_darkening": "on"}},
     "disc-polarised": {"disc": {**THERMAL, "polarisation": "synchrotron", "field": "toroidal"}},
+    "disc-lamp": {"disc": {**THERMAL, "emissivity": "lamp", "lamp_height": 4.0}},
     "disc-gas": {"disc": {**DISC, "texture": "gas", "gas_contrast": 0.3}},
     "disc-gas-flow": {"disc": {**DISC, "texture": "gas", "gas_contrast": 0.3, "flow": "kepler", "opacity": 0.6}},
     "disc-clear": {"disc": {**DISC, "opacity": 0.4, "edge": 0.3}},

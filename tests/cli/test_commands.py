@@ -318,6 +318,12 @@ class Commands(support.CliTest):
         self.assertIn("spin 0.9\ndisc from 1.161 to 7 r_s, inclination 80 degrees, emissivity r^-3, limb laor", out)
         self.assertLess(sum(row["photons"] for row in rows), 0.9)
         self.assertEqual((rows[0]["g_from"], rows[-1]["g_to"]), (0.5, 1))
+        for emissivity, words in (("lamp:3", "a lamp at 3 r_s,"), ("lamp:3:2.4", "a lamp at 3 r_s, index 2.4,"), ("7:4:2.5", "r^-7 to 4 r_s, r^-2.5,")):
+            self.assertIn(f"emissivity {words} limb", self.spectrum("--spin", "0.5", "--emissivity", emissivity)[0])
+        table = self.write("table.csv", "r,epsilon\n4,1\n8,0.2\n")
+        self.assertIn("disc from 4 to 8 r_s", self.spectrum("--emissivity", table)[0])
+        lit = self.write("lit.toml", '[disc]\nemission = "thermal"\nemissivity = "lamp"\nlamp_height = 2.5\n')
+        self.assertIn("emissivity a lamp at 2.5 r_s,", self.spectrum(lit, "--inclination", "20")[0])
         out, _, _ = self.spectrum("accretion", "--emissivity", "thermal", "--inclination", "20")
         self.assertIn("disc from 3 to 11 r_s, inclination 20 degrees, emissivity thermal", out)
 
