@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/assets.h"
+#include "command/capture_layers.h"
 #include "reference/reference.h"
 #include "support/draft.h"
 #include "support/gpu_session.h"
@@ -101,6 +102,34 @@ TEST_CASE("glow: the light of bodies is the reference's") {
                        off.size(), off[off.size() / 2], most, changed);
             CHECK(most < kLight);
             CHECK(changed > 10);
+        }
+    });
+}
+
+// Of what does not move nobody asks for light's times: the text of rays' depths, which have a body's g, then has no other includes before glow's.
+TEST_CASE(
+    "glow: layers of a still body that glows have its light, without light's times, in planes and about a rotating "
+    "hole") {
+    on_one_context([](GpuSession& session) {
+        constexpr double kLayers = 1e-5;  // of the light: rounding of float sums
+        for (const auto& [metric, spin] : {std::pair{"schwarzschild", 0.0}, {"kerr", 0.9}}) {
+            CAPTURE(std::string(metric));
+            const Scene scene = about(metric, spin, {hot_body(BallSpec{.position = {0, 4, 1}, .radius = 1.5}, 5000)});
+            const auto drawn = cli::capture_layers(session, scene, nullptr);
+            REQUIRE_MESSAGE(drawn, drawn.error().message());
+            const PictureLayers& layers = drawn->layers;
+            const Image<float> picture = picture_of(session, scene);
+            double most = 0, lit = 0;
+            for (std::size_t i = 0; i < picture.data.size(); ++i) {
+                double sum = 0;
+                for (const LayerImage& layer : layers.each) sum += layer.light.data[i];
+                most = std::max(most, std::fabs(sum - picture.data[i])), lit += picture.data[i] > 0.01;
+            }
+            int shifted = 0;  // by the body's own g
+            for (const float g : drawn->depths.g) shifted += g > 0.5F && g < 0.999F;
+            CHECK(shifted > 20);
+            CHECK(lit > 50);
+            CHECK(most < kLayers);
         }
     });
 }
