@@ -132,17 +132,16 @@ std::vector<double> of_lamp(const Metric& metric, const DiscLight& of, const Lam
 
 }  // namespace
 
-double largest_at_kinks(const Metric& metric, const DiscLight& of, const EmissivitySpec& spec, double inner,
-                        double outer) {
+double largest_at_kinks(const EmissivitySpec& spec, double inner, double outer) {
     double most = 0;
-    const auto see = [&](double r) {
-        if (r > inner && r < outer) most = std::max(most, emissivity_of(metric, of, spec, {r})[0]);
-    };
+    const auto within = [&](double r) { return r > inner && r < outer; };
     if (spec.by == Emissivity::kPowerLaw)
-        for (const double r : spec.breaks) see(r);
+        for (const double r : spec.breaks)
+            if (within(r)) most = std::max(most, std::exp(log_power(spec, r)));
     if (spec.by == Emissivity::kTable)
         if (const auto rows = load_emissivity(spec.file))
-            for (const EmissivityRow& row : **rows) see(row.r);
+            for (const EmissivityRow& row : **rows)
+                if (within(row.r)) most = std::max(most, row.value);
     return most;
 }
 

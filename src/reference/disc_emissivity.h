@@ -12,7 +12,6 @@ std::vector<double> emissivity_of(const Metric& metric, const DiscLight& of, con
                                   const std::vector<double>& radii);
 
 // The largest value where powers meet or a table has a row, between these radii; 0 where there is none.
-double largest_at_kinks(const Metric& metric, const DiscLight& of, const EmissivitySpec& spec, double inner,
-                        double outer);
+double largest_at_kinks(const EmissivitySpec& spec, double inner, double outer);
 
 }  // namespace nullscope::reference

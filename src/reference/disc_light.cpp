@@ -155,8 +155,8 @@ void DiscLight::tabulate_emissivity() {
     std::vector<double> radii;
     for (int i = 0; i <= kSteps; ++i) radii.push_back(heated_ * std::exp(step_ * i));
     heat_ = emissivity_of(metric_, *this, disc_.emissivity, radii);
-    const double most = std::max(*std::ranges::max_element(heat_),
-                                 largest_at_kinks(metric_, *this, disc_.emissivity, heated_, disc_.outer));
+    const double most =
+        std::max(*std::ranges::max_element(heat_), largest_at_kinks(disc_.emissivity, heated_, disc_.outer));
     for (double& value : heat_) value = most > 0 ? value / most : 0;
 }
 

@@ -737,6 +737,33 @@ def test_what_a_scene_file_may_say_can_be_typed_in(screen, program, folder):
         assert tomllib.loads(saved.read_text())["disc"]["temperature"] == 1e3, saved.read_text()
 
 
+def test_a_lamp_lights_a_disc_and_moves_up(screen, program, folder):
+    scene = '[camera]\nr = 20\n[sky]\nkind = "black"\n[disc]\nemission = "thermal"\n'
+    with Viewer(screen, program, *COARSE, "--layout", "layout.txt", scene=scene) as v:
+        v.settle()
+        if not v.layout().place("Shines by", ""):
+            v.click(*v.layout().place("Disc", ""))
+        by_accretion = v.picture(PICTURE)
+        v.click(*v.layout().place("accretion", ""))
+        v.click(*v.layout().place("a lamp on its axis", ""))
+        lit = v.picture(PICTURE)
+        assert lit.changed(by_accretion, CHANGED), "a lamp lights the disc as accretion does"
+        v.settle("mousemove", *v.layout().place("2.00", ""))   # its index
+        v.settle("keydown", "ctrl", "mousedown", 1)
+        v.settle("mouseup", 1, "keyup", "ctrl")
+        v.settle("key", "ctrl+a")
+        v.hands("type", "--delay", 100, "3.25")
+        v.settle("key", "Return")
+        v.settle("mousemove", *BESIDE)
+        v.settle("key", "ctrl+s")
+        saved = tomllib.loads(next(path for path in Path(v.folder).glob("*.toml") if path != v.scene).read_text())["disc"]
+        assert (saved["emissivity"], saved["lamp_index"]) == ("lamp", 3.25), saved
+        v.settle("key", "ctrl+z", "key", "ctrl+z")     # the file, the index
+        same(lit, v.picture(PICTURE), "the index taken back", CURSOR)
+        v.settle("key", "ctrl+z")
+        same(by_accretion, v.picture(PICTURE), "the lamp taken back", CURSOR)
+
+
 def test_the_side_panel_takes_what_the_key_table_allows(screen, program, folder):
     scene = '[camera]\nr = 20\n[sky]\nkind = "black"\n[disc]\nrotation = 30\n'
     with Viewer(screen, program, *COARSE, "--layout", "layout.txt", scene=scene) as v:
@@ -1359,7 +1386,7 @@ if EVERYTHING:
               test_exposure_follows_like_an_eye, test_several_rays_a_pixel_wait_for_rest,
               test_a_file_is_chosen_in_the_desktops_dialog,
               test_bookmarks_are_kept_opened_renamed_and_deleted,
-              test_what_a_scene_file_may_say_can_be_typed_in, test_the_side_panel_takes_what_the_key_table_allows,
+              test_what_a_scene_file_may_say_can_be_typed_in, test_a_lamp_lights_a_disc_and_moves_up, test_the_side_panel_takes_what_the_key_table_allows,
               test_the_light_theme_is_switched_and_kept,
               test_a_body_is_hidden_and_shown,
               test_the_cameras_clock_is_shown_and_follows,
