@@ -12,7 +12,7 @@
 namespace nullscope::cli {
 namespace {
 
-constexpr double kSteepest = 20.0, kLargestRadius = 1e6, kLargestIndex = 10.0;
+constexpr double kSteepest = 20.0, kFarthest_rs = 1e6, kLargestIndex = 10.0;
 
 Error unknown(const std::string& text) {
     return bad_input(fmt::format("--emissivity {}: not an emissivity", without_controls(text)), kEmissivityForms);
@@ -37,7 +37,7 @@ Result<EmissivitySpec> lamp_of(const std::string& text) {
     const std::vector<double> numbers = numbers_of(text.substr(std::string_view("lamp:").size()));
     EmissivitySpec spec;
     spec.by = Emissivity::kLamp;
-    if (numbers.empty() || numbers.size() > 2 || !(numbers[0] > 0.0 && numbers[0] <= kLargestRadius))
+    if (numbers.empty() || numbers.size() > 2 || !(numbers[0] > 0.0 && numbers[0] <= kFarthest_rs))
         return unknown(text);
     spec.lamp.height = numbers[0];
     if (numbers.size() == 2) spec.lamp.index = numbers[1];
@@ -56,7 +56,7 @@ Result<EmissivitySpec> powers_of(const std::string& text) {
         const bool radius = i % 2 == 1;
         if (!radius && within(numbers[i], -kSteepest, kSteepest))
             *powers[i / 2] = numbers[i];
-        else if (radius && numbers[i] > (i > 1 ? numbers[i - 2] : 0.0) && numbers[i] <= kLargestRadius)
+        else if (radius && numbers[i] > (i > 1 ? numbers[i - 2] : 0.0) && numbers[i] <= kFarthest_rs)
             spec.breaks.push_back(numbers[i]);
         else
             return unknown(text);

@@ -295,8 +295,7 @@ constexpr SceneKey kKeys[] = {
      [](auto& s) { return &s.disc->material.texture; }},
     {"disc", "emission", KeyType::kChoice, "", "image", kNoRange, "image thermal",
      "Where its light comes from: the image or texture itself, or thermal emission, by accretion or another "
-     "`emissivity`, "
-     "which image or texture multiply.",
+     "emissivity, which image or texture multiply.",
      [](auto& s) { return &s.disc->emission; }},
     {"disc", "temperature", KeyType::kNumber, "K", "8000", kTemperature, "",
      "Temperature of the hottest ring of a thermal disc, in its own frame; that ring has brightness 1.",
