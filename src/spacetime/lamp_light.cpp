@@ -1,8 +1,6 @@
 #include "spacetime/lamp_light.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "numeric/nystrom.h"
@@ -112,13 +110,10 @@ std::optional<std::pair<double, Arrival>> ray_to(const LampRays& rays, double ze
 std::vector<double> lamp_light(const Spacetime& spacetime, const std::vector<double>& radii, const LampPost& lamp,
                                Sense sense) {
     std::vector<double> light(radii.size(), 0.0);
-    std::vector<std::size_t> order(radii.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return radii[a] < radii[b]; });
     const LampRays rays(spacetime, lamp.height);
     const DiscMatterFlow matter(spacetime, sense);
     double guess = 0.5;
-    for (const std::size_t i : order) {
+    for (std::size_t i = 0; i < radii.size(); ++i) {
         const double r = radii[i], zeta = 1.0 / r;
         if (!(zeta < rays.farthest())) continue;
         const auto found = ray_to(rays, zeta, guess);

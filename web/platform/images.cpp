@@ -5,6 +5,7 @@
 #include "image/image_file.h"
 #include "image/image_formats.h"
 #include "image/picture_texts.h"
+#include "scene/disc_emissivity.h"
 #include "scenefile/picture_scene.h"
 
 namespace nullscope {
@@ -55,6 +56,9 @@ Result<ExrPicture> load_exr_picture(const std::filesystem::path&, long long, boo
 }
 bool is_tiff(std::string_view) { return false; }
 Result<WholePicture> decode_tiff(std::string_view, long long) { return bad_input("TIFF is not read in a page"); }
+Result<std::shared_ptr<const std::vector<EmissivityRow>>> load_emissivity(const std::filesystem::path&) {
+    return bad_input("tables of emissivities are not read in a page");
+}
 void note_on_terminal(const std::string&) {}
 bool is_picture_file(const std::filesystem::path&) { return false; }
 Result<OpenedScene> open_picture(const std::string&, const Note&, const SceneOverrides&) {
