@@ -158,8 +158,8 @@ TEST_CASE("the defaults that the key table shows are those of an empty scene") {
     for (const SceneKey& key : scene_keys()) {
         if (key.type != KeyType::kNumber || key.section == "disc" || key.fallback.empty()) continue;
         Scene changed = empty;
-        changed.path.emplace(), changed.disc.emplace(), changed.spots.emplace_back(), changed.medium.emplace(),
-            changed.camera.zoom.emplace();
+        changed.path.emplace(), changed.disc.emplace(), changed.spots.emplace_back(), changed.caps.emplace_back(),
+            changed.medium.emplace(), changed.camera.zoom.emplace();
         for (const BodyKind* kind : body_kinds()) changed.bodies.push_back(kind->make());
         KeyValue value;
         value.number = *parse_number(key.fallback) * (key.unit == "deg" ? kSceneFileDegree : 1.0);

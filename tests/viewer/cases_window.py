@@ -161,7 +161,7 @@ def test_the_editor_adds_changes_refuses_and_removes(v):
     home = seen("mousemove", *BESIDE, "key", "r")
     v.settle("key", "ctrl+e")
     v.click(*EDITOR_ADD)
-    v.click(EDITOR_ADD[0], EDITOR_ADD[1] + 22 + 19 * 5)     # spot, split, path, sphere, cylinder, ball: the disc is there
+    v.click(EDITOR_ADD[0], EDITOR_ADD[1] + 22 + 19 * 6)     # spot, cap, split, path, sphere, cylinder, ball: the disc is there
     ball = seen("key", "ctrl+e")
     assert ball.changed(home, 4 * NOISE), "no ball is there after it was added"
     v.settle("key", "ctrl+e")
