@@ -73,8 +73,8 @@ void Medium::add_nodes(double from, double to, const Way& way, std::vector<Mediu
 }
 
 Medium::Light Medium::at(const MediumNode& node, double energy, double momentum) const {
-    constexpr double kAxis = 1e-9;  // of the sine, where there is no azimuth
-    const PlaceMetric g = matter_.place(node.r, std::max(node.sine(), kAxis), node.cosine());
+    constexpr double kNearAxis = 1e-9;  // of the sine, where there is no azimuth
+    const PlaceMetric g = matter_.place(node.r, std::max(node.sine(), kNearAxis), node.cosine());
     const auto state = model_->at(node, g);
     return state ? law_.at(*state, g, node, energy, momentum) : Light{{0, 0, 0}, 1};
 }

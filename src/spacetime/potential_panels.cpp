@@ -6,7 +6,7 @@
 namespace nullscope {
 
 PotentialPanels::PotentialPanels(const MetricFormulas& formulas, double end) : end_(end), panels_(kPanels) {
-    constexpr double kNothingLeft = 1e-17;  // of the slope over a panel
+    constexpr double kPanelEnds = 1e-17;  // of the slope over a panel
     const double half = 0.5 * end / kPanels;
     for (int i = 0; i < kPanels; ++i) {
         Panel& panel = panels_[static_cast<std::size_t>(i)];
@@ -20,7 +20,7 @@ PotentialPanels::PotentialPanels(const MetricFormulas& formulas, double end) : e
         panel.good = true;
         for (int k = kTerms - 3; k < kTerms; ++k)
             panel.good = panel.good && std::fabs(panel.c[static_cast<std::size_t>(k)]) * k * std::pow(half, k - 1) <=
-                                           kNothingLeft * largest;
+                                           kPanelEnds * largest;
     }
 }
 

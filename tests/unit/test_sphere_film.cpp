@@ -127,7 +127,9 @@ TEST_CASE("sphere film: what is not such a film is refused") {
                                      {too_far, "impossible place"}}) {
         std::string to;
         const Status copied = marked(film, {}, to);
-        REQUIRE_MESSAGE(!copied, says);
+        const std::string said = says;
+        CAPTURE(said);
+        REQUIRE(!copied);
         CHECK_MESSAGE(copied.error().message().find(says) != std::string::npos, copied.error().message());
     }
 }

@@ -84,10 +84,12 @@ TEST_CASE("spin sense: words of a scene are Bardeen, Press and Teukolsky's circl
     for (const double spin : {-0.7, 0.7}) {
         const auto spacetime = hole_of(spin);
         const auto metric = std::move(*reference::make_metric({"kerr", {{"spin", spin}}}));
-        for (const auto& [sense, sign] : {std::pair{OrbitSense::kEastward, 1.0}, std::pair{OrbitSense::kWestward, -1.0},
-                                          std::pair{OrbitSense::kPrograde, std::copysign(1.0, spin)},
-                                          std::pair{OrbitSense::kRetrograde, -std::copysign(1.0, spin)}})
+        for (const auto& [sense, its_sign] :
+             {std::pair{OrbitSense::kEastward, 1.0}, std::pair{OrbitSense::kWestward, -1.0},
+              std::pair{OrbitSense::kPrograde, std::copysign(1.0, spin)},
+              std::pair{OrbitSense::kRetrograde, -std::copysign(1.0, spin)}})
             for (const double m : {9.0, 20.0}) {
+                const double sign = its_sign;
                 CAPTURE(spin);
                 CAPTURE(sign);
                 const Circle known = circle(sign * spin, m);

@@ -149,8 +149,9 @@ TEST_CASE("warp kinds: polar meshes of both orders, to 0.1 px") {
     constexpr double kMost_px = 0.1;
     const TemporaryFolder folder("polar");
     for (const bool by_columns : {false, true})
-        for (const auto& [columns, rows] : {std::pair{360, 60}, std::pair{240, 240}}) {
-            const CameraSpec camera = camera_of(folder, bourke(columns, rows, by_columns, true));
+        for (const auto& [across, up] : {std::pair{360, 60}, std::pair{240, 240}}) {
+            const int columns = across;
+            const CameraSpec camera = camera_of(folder, bourke(columns, up, by_columns, true));
             double worst = 0.0;
             for (double angle = 0.0; angle < 2 * M_PI; angle += 0.013)  // also across the seam
                 for (double radius = 0.05; radius < 0.47; radius += 0.03) {
