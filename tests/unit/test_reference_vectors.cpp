@@ -17,7 +17,7 @@ namespace {
 
 using namespace nullscope;
 
-using Column = double (*)(const RayRecord&);
+using RecordValue = double (*)(const RayRecord&);
 double angle_of(const RayRecord& r) { return r.angle; }
 double delay_of(const RayRecord& r) { return r.delay; }
 double turn_of(const RayRecord& r) { return r.turn; }
@@ -55,7 +55,7 @@ struct VectorRay {
     // the factor by which a relative change of the inputs comes back as a relative change of y. The derivatives are one-sided
     // differences of the traced function, the larger side counts; the step stays below `room`, how far, relatively, the critical ray
     // and the turning point are, where y is singular.
-    double condition_number(double room, Column output, std::optional<double> at) const {
+    double condition_number(double room, RecordValue output, std::optional<double> at) const {
         const auto here = along(q, place, sense, at);
         const double y = output(*here), step = std::max(1e-5 * std::min(1.0, room), 1e-15);
         double sum = 0;
@@ -106,7 +106,7 @@ public:
     }
 
     // A column of a row against what is traced, at the angle in another column where one is named; room: condition_number().
-    void check(const VectorRay& ray, double room, const char* column, Column output, const char* angle = nullptr) {
+    void check(const VectorRay& ray, double room, const char* column, RecordValue output, const char* angle = nullptr) {
         const auto at = angle != nullptr ? std::optional(number(ray.row, angle)) : std::nullopt;
         const double expected = number(ray.row, column), found = output(*ray.along(ray.q, ray.place, ray.sense, at));
         CAPTURE(std::string(column));
