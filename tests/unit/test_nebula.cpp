@@ -13,13 +13,13 @@ using namespace nullscope;
 
 namespace {
 
-constexpr int kFace = 128;
+constexpr int kNebulaFace = 128;
 
 SkyCube nebula(const NebulaSpec& spec) {
     SkySpec sky;
     sky.kind = SkyKind::kNebula;
     sky.nebula = spec;
-    auto cube = build_sky(sky, {}, kFace);
+    auto cube = build_sky(sky, {}, kNebulaFace);
     REQUIRE(cube);
     return std::move(*cube);
 }
@@ -34,7 +34,7 @@ TEST_CASE("nebula: the same seed gives the same sky, another seed another; its c
         CHECK(one.faces[face].data == again.faces[face].data);
         CHECK(one.faces[face].data != other.faces[face].data);
     }
-    const Nebula all({}, Mat3{}, 1.0, kFace, 0), red({.oxygen = {0, 0, 0}}, Mat3{}, 1.0, kFace, 0);
+    const Nebula all({}, Mat3{}, 1.0, kNebulaFace, 0), red({.oxygen = {0, 0, 0}}, Mat3{}, 1.0, kNebulaFace, 0);
     Vec3 sum{}, sum_of_red{};
     for (int y = -20; y <= 20; ++y)
         for (int z = -20; z <= 20; ++z) {
@@ -56,15 +56,16 @@ TEST_CASE("nebula: bright about its heart, dark elsewhere, finite and without se
     CHECK(light[light.size() / 4] < 0.01);                  // black space
     CHECK(light[light.size() - light.size() / 20] > 0.05);  // and a twentieth that is plainly seen
     // Painted faces agree with the formula, next to edges too.
-    const Nebula gas({}, Mat3{}, 1.0, kFace, 0);
+    const Nebula gas({}, Mat3{}, 1.0, kNebulaFace, 0);
     double off = 0.0, all = 0.0;
     for (int face = 0; face < 6; ++face) {
-        SkyRows rows{face, kFace, 0, 0, kFace, {}, {}};
+        SkyRows rows{face, kNebulaFace, 0, 0, kNebulaFace, {}, {}};
         for (auto& plane : rows.planes) plane.assign(rows.texels(), 0.0f);
         gas.paint(rows);
-        for (int y = 0; y < kFace; ++y)
-            for (int x = 0; x < kFace; x += x == 0 || x == kFace - 2 ? 1 : 2) {
-                const Vec3 wanted = gas.light(normalized(cube_direction(face, (x + 0.5) / kFace, (y + 0.5) / kFace)));
+        for (int y = 0; y < kNebulaFace; ++y)
+            for (int x = 0; x < kNebulaFace; x += x == 0 || x == kNebulaFace - 2 ? 1 : 2) {
+                const Vec3 wanted =
+                    gas.light(normalized(cube_direction(face, (x + 0.5) / kNebulaFace, (y + 0.5) / kNebulaFace)));
                 off += std::fabs(rows.row(1, y)[x] - wanted.y), all += wanted.y;
             }
     }
@@ -72,7 +73,7 @@ TEST_CASE("nebula: bright about its heart, dark elsewhere, finite and without se
 }
 
 TEST_CASE("nebula: its stars are many, brightest first, and hot ones are among the brightest") {
-    const std::vector<Star> stars = Nebula({}, Mat3{}, 1.0, kFace, 0).stars();
+    const std::vector<Star> stars = Nebula({}, Mat3{}, 1.0, kNebulaFace, 0).stars();
     CHECK(stars.size() > 10000);
     for (std::size_t i = 1; i < stars.size(); ++i) REQUIRE(stars[i - 1].magnitude <= stars[i].magnitude);
     const auto hot = std::count_if(stars.begin(), stars.begin() + 20,

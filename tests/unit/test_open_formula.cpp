@@ -74,7 +74,7 @@ TEST_CASE("open formula: swept angles are the reference's, next to the dividing 
         double worst = 0.0;
         for (const double r : {open.near, 15.0, 60.0}) {
             CAPTURE(r);
-            const RayFamily family(spacetime, nullptr, r, frame_at_rest(spacetime->lapse_squared(r)));
+            const nullscope::RayFamily family(spacetime, nullptr, r, frame_at_rest(spacetime->lapse_squared(r)));
             for (const Segment segment : {Segment::kSky, Segment::kCaptured}) {
                 const double limit = family.delta_limit(segment);
                 for (const double part : {1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.5, 0.8, 0.999}) {
