@@ -158,7 +158,7 @@ TEST_CASE("body shift: a lamp that falls along the axis of a rotating hole redde
                 const double r = hit.middle.z, here = lapse2(r);
                 const auto own = reference::body_shift(tracer->matter(), *ray, hit, true);
                 gs[i] = own.gravity * own.doppler, clocks[i] = when - tortoise(r);
-                CAPTURE(spin);
+                CAPTURE(a);
                 CAPTURE(r);
                 CHECK(std::fabs(gs[i] * (energy + std::sqrt(energy * energy - here)) / here - 1) < kVelocity / here);
             }

@@ -88,23 +88,23 @@ TEST_CASE("disc emissivity: lamps about rotating and charged holes are the refer
         double height, index, inner, outer;
     };
     double worst = 0;
-    for (const auto& [spec, height, index, inner, outer] :
+    for (const Case& one :
          {Case{{"kerr", MetricParameters{{"spin", 0.9}}}, 2, 2, 0.8, 40},  // across the innermost stable orbit
           Case{{"kerr", MetricParameters{{"spin", -0.998}}}, 0.9, 2.5, 0.7, 20},
           Case{{"kerr-newman", MetricParameters{{"spin", 0.5}, {"charge", 0.6}}}, 5, 1.5, 1.2, 100},
           Case{{"reissner-nordstrom", MetricParameters{{"charge", 0.8}}}, 3, 2, 1, 30}}) {
-        CAPTURE(spec.metric);
-        CAPTURE(height);
-        const auto metric = std::move(*reference::make_metric(spec));
+        CAPTURE(one.spec.metric);
+        CAPTURE(one.height);
+        const auto metric = std::move(*reference::make_metric(one.spec));
         DiscSpec disc;
-        disc.inner = inner, disc.outer = outer;
+        disc.inner = one.inner, disc.outer = one.outer;
         const reference::DiscLight matter(*metric, disc, {});
         EmissivitySpec lamp;
-        lamp.by = Emissivity::kLamp, lamp.lamp = {height, index};
-        std::vector<double> radii = radii_between(inner, outer, 60);
+        lamp.by = Emissivity::kLamp, lamp.lamp = {one.height, one.index};
+        std::vector<double> radii = radii_between(one.inner, one.outer, 60);
         const std::vector<double> exact = reference::emissivity_of(*metric, matter, lamp, radii),
-                                  ours = disc_emissivity(**make_spacetime(spec.metric, spec.parameters), radii, lamp,
-                                                         Sense::kEastward);
+                                  ours = disc_emissivity(**make_spacetime(one.spec.metric, one.spec.parameters), radii,
+                                                         lamp, Sense::kEastward);
         for (std::size_t i = 1; i + 1 < radii.size(); ++i) {
             CAPTURE(radii[i]);
             CHECK(std::fabs(ours[i] / exact[i] - 1) < 1e-5);
@@ -133,17 +133,16 @@ TEST_CASE("disc emissivity: powers join at their breaks, tables have powers betw
         int line;
         const char* says;
     };
-    for (const auto& [text, line, says] :
-         {Wrong{"2,8\n2,1\n", 2, "not above"}, Wrong{"2,8\n4,-1\n", 2, "no emissivity"},
-          Wrong{"r,e\nr,e\n", 2, "no radius"}, Wrong{"2,8\nnan,1\n", 2, "no radius"},
-          Wrong{"2,8\n4,inf\n", 2, "no emissivity"}, Wrong{"2,8,1\n", 1, "not a radius and"},
-          Wrong{"2\n", 1, "not a radius and"}, Wrong{"2,\"8\n", 1, "not a radius and"}, Wrong{"2,8\n", 0, "two rows"},
-          Wrong{"", 0, "two rows"}}) {
-        CAPTURE(std::string(text));
-        const auto read = read_emissivity(text);
+    for (const Wrong& wrong : {Wrong{"2,8\n2,1\n", 2, "not above"}, Wrong{"2,8\n4,-1\n", 2, "no emissivity"},
+                               Wrong{"r,e\nr,e\n", 2, "no radius"}, Wrong{"2,8\nnan,1\n", 2, "no radius"},
+                               Wrong{"2,8\n4,inf\n", 2, "no emissivity"}, Wrong{"2,8,1\n", 1, "not a radius and"},
+                               Wrong{"2\n", 1, "not a radius and"}, Wrong{"2,\"8\n", 1, "not a radius and"},
+                               Wrong{"2,8\n", 0, "two rows"}, Wrong{"", 0, "two rows"}}) {
+        CAPTURE(std::string(wrong.text));
+        const auto read = read_emissivity(wrong.text);
         REQUIRE(!read);
-        CHECK(read.error().line == line);
-        CHECK(read.error().what.find(says) != std::string::npos);
+        CHECK(read.error().line == wrong.line);
+        CHECK(read.error().what.find(wrong.says) != std::string::npos);
     }
 }
 
