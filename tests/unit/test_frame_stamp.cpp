@@ -9,8 +9,8 @@
 
 #include "cli/frame_store.h"
 #include "plan/body_kind.h"
-#include "scene/bodies.h"
 #include "scenefile/scene_keys.h"
+#include "scenefile/sections.h"
 
 using namespace nullscope;
 using namespace nullscope::cli;
@@ -32,13 +32,8 @@ struct Run {
 Run full_run() {
     Run run;
     run.options.output = "film.mp4";
-    run.scene.disc.emplace();
-    run.scene.spots.emplace_back();
-    run.scene.medium.emplace();
-    for (const BodyKind* kind : body_kinds()) run.scene.bodies.push_back(kind->make());
-    run.scene.path.emplace();
-    run.scene.camera.zoom.emplace();
-    run.scene.split.emplace();
+    for (const Section& section : sections())
+        if (section.optional()) section.add(run.scene);
     return run;
 }
 

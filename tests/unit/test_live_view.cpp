@@ -266,6 +266,8 @@ TEST_CASE("live telescope: what is found in a picture of 128 px takes less than 
                      convolved(light, ring.pixel, {20 * ring.pixel, 20 * ring.pixel, 0});
                  });
     MESSAGE("all ", rests, ", without the day ", moving, ", the plane ", plane, ", the beam ", beam, " core-ms");
+#ifndef NULLSCOPE_SANITIZED  // of code as it ships
     CHECK(rests < 30);
     CHECK(beam < 15);
+#endif
 }

@@ -17,6 +17,7 @@
 #include "scene/bodies.h"
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_keys.h"
+#include "scenefile/sections.h"
 #include "spacetime/registry.h"
 #include "support/folders.h"
 
@@ -158,9 +159,8 @@ TEST_CASE("the defaults that the key table shows are those of an empty scene") {
     for (const SceneKey& key : scene_keys()) {
         if (key.type != KeyType::kNumber || key.section == "disc" || key.fallback.empty()) continue;
         Scene changed = empty;
-        changed.path.emplace(), changed.disc.emplace(), changed.spots.emplace_back(), changed.caps.emplace_back(),
-            changed.medium.emplace(), changed.camera.zoom.emplace();
-        for (const BodyKind* kind : body_kinds()) changed.bodies.push_back(kind->make());
+        for (const Section& section : sections())
+            if (section.optional()) section.add(changed);
         KeyValue value;
         value.number = *parse_number(key.fallback) * (key.unit == "deg" ? kSceneFileDegree : 1.0);
         CHECK(key.range.contains(*parse_number(key.fallback)));

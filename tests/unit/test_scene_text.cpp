@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "plan/body_kind.h"
-#include "scene/bodies.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_text.h"
+#include "scenefile/sections.h"
 
 using namespace nullscope;
 
@@ -20,13 +20,10 @@ namespace {
 // Every section is there, so that every key has a place.
 Scene full_scene() {
     Scene scene;
-    scene.split.emplace();
-    scene.camera.zoom.emplace();
-    scene.disc.emplace().accretion.emplace();
-    scene.spots.emplace_back();
-    scene.medium.emplace();
-    for (const BodyKind* kind : body_kinds()) scene.bodies.push_back(kind->make());
-    scene.path.emplace().keys = {{0.0, {}}, {1.0, {}}};
+    for (const Section& section : sections())
+        if (section.optional()) section.add(scene);
+    scene.disc->accretion.emplace();
+    scene.path->keys = {{0.0, {}}, {1.0, {}}};
     return scene;
 }
 
