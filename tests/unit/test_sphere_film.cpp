@@ -17,7 +17,7 @@ namespace {
 
 std::string number(std::uint64_t value, int bytes) {
     std::string text;
-    for (int i = bytes - 1; i >= 0; --i) text += static_cast<char>(value >> 8 * i & 255);
+    for (int i = bytes - 1; i >= 0; --i) text += i < 8 ? static_cast<char>(value >> 8 * i & 255) : char{0};
     return text;
 }
 std::string box(const std::string& type, const std::string& body) { return number(8 + body.size(), 4) + type + body; }
