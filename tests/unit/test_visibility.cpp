@@ -216,7 +216,9 @@ TEST_CASE("visibility: 4000 baselines of 256 x 256 pixels take less than a core-
     const std::vector<Visibility> found = picture.at(baselines);
     const double seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
     MESSAGE(seconds, " core-s");
+#ifndef NULLSCOPE_SANITIZED  // of code as it ships
     CHECK(seconds < 1.0);
+#endif
     for (const std::size_t i : {0u, 1999u, 3999u}) CHECK(found[i] == picture.at(baselines[i]));
 }
 
