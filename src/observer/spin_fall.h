@@ -9,7 +9,7 @@ namespace nullscope {
 // By the separated equations of Carter (1968) in Mino's time, rates divided by dt: with X = E (r^2 + a^2) - a L and K Carter's constant
 //     w = dr/dlambda, w' = (X^2 - Delta (r^2 + K))'/2,  u = dtheta/dlambda, u' = (K - a^2 cos^2 - (a E sin - L/sin)^2)'/2,
 //     dphi/dlambda = a X/Delta + L/sin^2 - a E,  dt/dlambda = (r^2 + a^2) X/Delta + a (L - a E sin^2).
-// All rates by t are regular on the horizon: there r stays, and phi goes on with the horizon. Along the axis theta passes through 0.
+// All rates by t are regular on the horizon, where dr/dt = 0 and dphi/dt is its angular velocity. Along the axis theta passes through 0.
 class SpinFall {
 public:
     struct Start {

@@ -22,8 +22,7 @@ constexpr KeyMember kBreaks = {[](const Scene& s) {
 std::vector<SceneKey> emissivity_keys() {
     return {{"disc", "emissivity", KeyType::kChoice, "", "accretion", kNoRange, "accretion power-law table lamp",
              "What a thermal disc shines by at each radius: accretion (Page and Thorne's flux), powers of the radius, "
-             "a table, or "
-             "the light of a lamp on its axis. Needs emission = \"thermal\".",
+             "a table, or the light of a lamp on its axis. Needs emission = \"thermal\".",
              [](auto& s) { return &s.disc->emissivity.by; },
              [](const Scene& s) { return s.disc->emission == DiscEmission::kThermal; }, "emission = \"thermal\""},
             {"disc", "powers", KeyType::kPoint, "", "[3, 3, 3]", closed(-20.0, 20.0), "",

@@ -83,19 +83,13 @@ Section path_row() {
     return row;
 }
 
-Section spot_row() {
-    return {.name = "spot",
-            .help = "A hot spot that orbits in the disc.",
-            .add = [](Scene& s) { s.spots.emplace_back(); },
-            .list = &kSpots,
-            .is = [](const Scene&, std::size_t) { return true; }};
-}
-
-Section cap_row() {
-    return {.name = "cap",
-            .help = "A hot cap on a sphere with a temperature.",
-            .add = [](Scene& s) { s.caps.emplace_back(); },
-            .list = &kCaps,
+// One of several of a list of their own.
+template <auto member>
+Section several(std::string_view name, std::string_view help, const SectionList& list) {
+    return {.name = name,
+            .help = help,
+            .add = [](Scene& s) { (s.*member).emplace_back(); },
+            .list = &list,
             .is = [](const Scene&, std::size_t) { return true; }};
 }
 
@@ -115,8 +109,8 @@ std::vector<Section> all_rows() {
     rows.push_back(disc_row());
     rows.push_back(medium_row());
     rows.push_back(path_row());
-    rows.push_back(spot_row());
-    rows.push_back(cap_row());
+    rows.push_back(several<&Scene::spots>("spot", "A hot spot that orbits in the disc.", kSpots));
+    rows.push_back(several<&Scene::caps>("cap", "A hot cap on a sphere with a temperature.", kCaps));
     for (const BodyKind* kind : body_kinds()) rows.push_back(body_row(*kind));
     return rows;
 }

@@ -1,8 +1,6 @@
 // Thermal discs that shine by powers of the radius, by a table or by a lamp: the driver's pictures against the reference's.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "base/assets.h"
@@ -10,6 +8,7 @@
 #include "reference/reference.h"
 #include "support/draft.h"
 #include "support/gpu_session.h"
+#include "support/picture_off.h"
 
 namespace {
 
@@ -66,14 +65,7 @@ TEST_CASE("disc emissivity: pictures are the reference's") {
             Scene other = scene;
             other.disc->emissivity.by = Emissivity::kAccretion;
             const Image<float> accretion = picture_of(session, other);
-            std::vector<double> off;
-            int changed = 0;
-            for (std::size_t i = 0; i < picture.data.size(); i += 3) {
-                if (!(exact->data[i] > 1e-6) || !(picture.data[i] > 0)) continue;
-                off.push_back(std::fabs(picture.data[i] / exact->data[i] - 1));
-                changed += std::fabs(accretion.data[i] / exact->data[i] - 1) > 0.05;
-            }
-            std::ranges::sort(off);
+            const auto [off, changed] = lit_against(*exact, 1e-6, picture, accretion, 0.05);
             REQUIRE(off.size() > 100);
             const double most = off[static_cast<std::size_t>((1 - kRims) * static_cast<double>(off.size()))];
             fmt::print(

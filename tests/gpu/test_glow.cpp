@@ -7,6 +7,7 @@
 #include "reference/reference.h"
 #include "support/draft.h"
 #include "support/gpu_session.h"
+#include "support/picture_off.h"
 
 using namespace nullscope;
 using namespace nullscope::test;
@@ -88,14 +89,7 @@ TEST_CASE("glow: the light of bodies is the reference's") {
             Scene dull = scene;
             for (Body& body : dull.bodies) body.material.temperature_K.reset();
             const Image<float> other = picture_of(session, dull);
-            std::vector<double> off;
-            int changed = 0;
-            for (std::size_t i = 0; i < picture.data.size(); i += 3) {
-                if (!(exact->data[i] > 0) || !(picture.data[i] > 0)) continue;
-                off.push_back(std::fabs(picture.data[i] / exact->data[i] - 1));
-                changed += std::fabs(other.data[i] / exact->data[i] - 1) > 0.02;
-            }
-            std::ranges::sort(off);
+            const auto [off, changed] = lit_against(*exact, 0, picture, other, 0.02);
             REQUIRE(off.size() > 25);
             const double most = off[static_cast<std::size_t>((1 - kEdges) * static_cast<double>(off.size()))];
             fmt::print("glow: {}: {} lit pixels, median {:.1e}, within rims {:.1e}, changed by heat {}\n", name,

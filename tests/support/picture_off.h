@@ -40,4 +40,22 @@ inline double light_off(const Image<float>& drawn, const Image<float>& other) {
     return sum / whole;
 }
 
+// Red of the pixels that are lit in both, brighter than `least` in `exact`: how far each is off, relative, ascending; and in how many `other`
+// is off by more than `much`.
+struct LitOff {
+    std::vector<double> off;
+    int changed = 0;
+};
+inline LitOff lit_against(const Image<float>& exact, double least, const Image<float>& picture,
+                          const Image<float>& other, double much) {
+    LitOff found;
+    for (std::size_t i = 0; i < picture.data.size(); i += 3) {
+        if (!(exact.data[i] > least) || !(picture.data[i] > 0)) continue;
+        found.off.push_back(std::fabs(picture.data[i] / exact.data[i] - 1));
+        found.changed += std::fabs(other.data[i] / exact.data[i] - 1) > much;
+    }
+    std::ranges::sort(found.off);
+    return found;
+}
+
 }  // namespace nullscope::test

@@ -716,6 +716,16 @@ def test_a_drag_goes_round_the_hole_at_constant_r(screen, program, folder):
         v.settle("keyup", "alt")
 
 
+def type_into_slider(v, place, text):
+    v.settle("mousemove", *place)
+    v.settle("keydown", "ctrl", "mousedown", 1)
+    v.settle("mouseup", 1, "keyup", "ctrl")
+    v.settle("key", "ctrl+a")
+    v.hands("type", "--delay", 100, text)
+    v.settle("key", "Return")
+    v.settle("mousemove", *BESIDE)
+
+
 def test_what_a_scene_file_may_say_can_be_typed_in(screen, program, folder):
     scene = '[camera]\nr = 20\n[sky]\nkind = "black"\n[disc]\nemission = "thermal"\ntemperature = 1234567\n'
     with Viewer(screen, program, *COARSE, "--layout", "layout.txt", scene=scene) as v:
@@ -724,13 +734,7 @@ def test_what_a_scene_file_may_say_can_be_typed_in(screen, program, folder):
             v.click(*v.layout().place("Disc", ""))
         at = v.layout().place("1234567 K", "")
         for typed, taken in [("3e6", 3e6), ("5", 1e3)]:     # beyond the slider's ends; below what a file may say
-            v.settle("mousemove", *at)
-            v.settle("keydown", "ctrl", "mousedown", 1)
-            v.settle("mouseup", 1, "keyup", "ctrl")
-            v.settle("key", "ctrl+a")
-            v.hands("type", "--delay", 100, typed)
-            v.settle("key", "Return")
-            v.settle("mousemove", *BESIDE)
+            type_into_slider(v, at, typed)
             assert v.layout().place(f"{taken:.0f} K", ""), (typed, [words for _, words, _ in v.layout().texts if words.endswith(" K")])
         v.settle("key", "ctrl+s")
         saved = next(path for path in Path(v.folder).glob("*.toml") if path != v.scene)
@@ -748,13 +752,7 @@ def test_a_lamp_lights_a_disc_and_moves_up(screen, program, folder):
         v.click(*v.layout().place("a lamp on its axis", ""))
         lit = v.picture(PICTURE)
         assert lit.changed(by_accretion, CHANGED), "a lamp lights the disc as accretion does"
-        v.settle("mousemove", *v.layout().place("2.00", ""))   # its index
-        v.settle("keydown", "ctrl", "mousedown", 1)
-        v.settle("mouseup", 1, "keyup", "ctrl")
-        v.settle("key", "ctrl+a")
-        v.hands("type", "--delay", 100, "3.25")
-        v.settle("key", "Return")
-        v.settle("mousemove", *BESIDE)
+        type_into_slider(v, v.layout().place("2.00", ""), "3.25")   # its index
         v.settle("key", "ctrl+s")
         saved = tomllib.loads(next(path for path in Path(v.folder).glob("*.toml") if path != v.scene).read_text())["disc"]
         assert (saved["emissivity"], saved["lamp_index"]) == ("lamp", 3.25), saved
