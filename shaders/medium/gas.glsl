@@ -17,6 +17,7 @@
 #define SOFT_CELLS_A_RADIAN 1.2732395447351628
 #define SOFT_WIDEST 1.75   // rings: an octave is not seen where pixel and sample are wider, and all of it where they are narrower by 1
 #define SOFT_HIGHEST 3.5   // scale heights
+#define MEDIUM_WEDGE (SOFT_HIGHEST * GAS_THICKNESS * GAS_SURFACE)   // |cos(theta)| of its surfaces
 #define SOFT_STEP 0.5      // scale heights, across the plane
 #define SOFT_FLATTEST 0.5  // rays that go across the plane less than this have no longer steps
 #define SOFT_THIN 0.7      // by how much steps are longer for each scale height more
@@ -108,12 +109,10 @@ float gas_step(MediumPlace place, float rho, float inside, float y, float dense)
 
 MediumMatter medium_matter(MediumPlace place) {
     float rho = max(place.r * sqrt(max(1.0 - place.cosine * place.cosine, 0.0)), 1.0e-6);
-    float inner = GAS_INNER;
-    float outer = GAS_OUTER;
     float height = GAS_THICKNESS * rho;
     float y = place.r * place.cosine / height;
     float x = log(rho);
-    float inside = min(x - log(inner), log(outer) - x);
+    float inside = min(x - GAS_LOG_INNER, GAS_LOG_OUTER - x);
     float age = GAS_TIME;
 #ifdef NEEDS_PLACE_LATE
     age -= place.delay;
@@ -128,7 +127,7 @@ MediumMatter medium_matter(MediumPlace place) {
     MediumMatter matter = medium_nothing_there(gas_step(place, rho, inside, y, clumps * LAW_OPACITY / rho));
     matter.density = abs(y) < SOFT_HIGHEST ? gas_rim(inside) * exp(-0.5 * y * y) * clumps : 0.0;
     matter.over = rho;
-    matter.heat = GAS_HEAT - 0.75 * log2(max(rho, inner) / inner);
+    matter.heat = GAS_HEAT - 0.75 * 1.44269504088896341 * max(x - GAS_LOG_INNER, 0.0);
     matter.temperature = exp2(matter.heat);
     return medium_going_round(place, matter, gas_rate(1.0 / rho));
 }

@@ -1,6 +1,7 @@
 // The contract of matter along rays. Each model has a file that defines
 //     MediumMatter medium_matter(MediumPlace place)
 //     float medium_free(float r, float cosine)      how far matter is at least, r_s; not above 0 within it
+//     #define MEDIUM_WEDGE                          if there is none where |cosine| is larger: rays that stay in a plane go there at once
 // and each emission law one that defines
 //     MediumLight medium_light(MediumPlace place, MediumMatter matter)
 // Their numbers have names (generated/medium_matter).

@@ -13,6 +13,8 @@ struct MediumWalk {
     vec3 tangent;     // place_tangent
     float along;      // where it has come to: medium_at
     RayPlace place;   // there
+    float more;       // how much farther a span goes
+    RayPlace next;    // and its end
     bool empty;       // no matter there
     int spans;        // that are left
     MediumSum sum;    // of what medium_to() went along
@@ -27,7 +29,7 @@ MediumWalk medium_walk(Trace trace, vec2 pixel) {
     return walk;
 }
 
-// To where there may be matter, up to `last`.
+// To where there may be matter, up to `last`, and the end of a span from there.
 MediumWalk medium_on(MediumWalk walk, Trace trace, float last) {
     bool comes = false;
     float before = 1.0e6;
@@ -36,38 +38,46 @@ MediumWalk medium_on(MediumWalk walk, Trace trace, float last) {
         float free = medium_free(walk.place.r, walk.place.outward.z);
         length = medium_jump(free, before, length, walk.place.r);
         before = free;
-        float jump = medium_part(walk.place, max(length, frame.medium_bound.y));
         // Within the innermost matter and on the way out beyond the outermost there is nothing more.
         bool over = walk.place.r_along < 0.0 ? walk.place.r < frame.medium_hole.w : walk.place.r > frame.medium_bound.x;
         walk.empty = over || free > walk.sum.step;   // a span is longer
         comes = comes || walk.empty;
-        jump = walk.empty ? jump : 0.0;
+        float span = max(medium_step(comes, walk.sum.step), frame.medium_bound.y) * float(MEDIUM_SAMPLES);
+        float part = medium_part(walk.place, walk.empty ? max(length, frame.medium_bound.y) : span);
+        float wedge = medium_to_wedge(walk.place);
+        if (walk.empty && wedge > part) {
+            part = wedge;
+            before = 1.0e6;
+            length = 1.0e6;
+        }
+        walk.more = min(part, last - walk.along);
+        walk.next = medium_at(trace, walk.tangent, walk.along + walk.more);
+        float jump = walk.empty ? walk.more : 0.0;
         walk.along = over || jump >= last - walk.along ? last : walk.along + jump;
-        walk.place = medium_at(trace, walk.tangent, walk.along);
+        if (walk.empty) walk.place = walk.next;
         walk.spans -= 1;
     } while (walk.empty && walk.along < last && walk.spans > 0);
     walk.sum.step = medium_step(comes, walk.sum.step);
     return walk;
 }
 
-// And along a span from there; of it what medium_to() has not set. rate: medium_rate.
+// And along the span; of it what medium_to() has not set. rate: medium_rate.
 MediumWalk medium_through(MediumWalk walk, Trace trace, MediumSpan span, float rate, float last) {
-    float length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
-    float more = min(medium_part(walk.place, length), last - walk.along);
+    float to = walk.along + walk.more;
     walk.place = medium_late(trace, walk.place, walk.along);
-    RayPlace next = medium_next(trace, walk.tangent, walk.along + more, walk.place, walk.along);
+    walk.next = medium_next_late(trace, walk.next, to, walk.place, walk.along);
     span.from = walk.place.at;
-    span.to = next.at;
-    span.from_slope = more * place_velocity(walk.place);
-    span.to_slope = more * place_velocity(next);
-    span.way = rate * more;
+    span.to = walk.next.at;
+    span.from_slope = walk.more * place_velocity(walk.place);
+    span.to_slope = walk.more * place_velocity(walk.next);
+    span.way = rate * walk.more;
 #ifdef NEEDS_PLACE_LATE
-    span.delays = vec2(walk.place.delay, next.delay);
+    span.delays = vec2(walk.place.delay, walk.next.delay);
 #endif
-    span = medium_on_ray(span, walk.along, walk.along + more);
+    span = medium_on_ray(span, walk.along, to);
     walk.sum = medium_along(span, walk.sum, walk.empty);
-    walk.along = walk.empty ? walk.along : more < last - walk.along ? walk.along + more : last;
-    walk.place = next;
+    walk.along = walk.empty ? walk.along : walk.more < last - walk.along ? to : last;
+    walk.place = walk.next;
     return walk;
 }
 

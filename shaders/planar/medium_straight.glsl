@@ -43,8 +43,9 @@ RayPlace medium_at(Trace trace, vec3 tangent, float along) {
 }
 
 RayPlace medium_late(Trace trace, RayPlace place, float along) { return place; }
-RayPlace medium_next(Trace trace, vec3 tangent, float along, RayPlace from, float from_along) { return medium_at(trace, tangent, along); }
+RayPlace medium_next_late(Trace trace, RayPlace next, float along, RayPlace from, float from_along) { return next; }
 
 float medium_part(RayPlace place, float length) { return length; }
+float medium_to_wedge(RayPlace place) { return 0.0; }
 
 float medium_rate(Trace trace) { return trace.doppler; }

@@ -148,14 +148,17 @@ vec2 place_time_slope(Trace trace, RayPlace place) {
 #define PLACE_DOUBT 1.0   // of the correction: what the next terms may be
 
 // A place whose time follows from one close by, without the light-time table: the trapezoid with the ends' slopes (Euler and Maclaurin).
-RayPlace place_beside(Trace trace, vec3 tangent, float phi, RayPlace from, float from_phi) {
-    RayPlace place = place_of(trace, tangent, phi);
+RayPlace place_timed_beside(Trace trace, RayPlace place, float phi, RayPlace from, float from_phi) {
     float way = phi - from_phi;
     place.time_slope = place_time_slope(trace, place);
     float correction = way * way * (1.0 / 12.0) * (from.time_slope.y - place.time_slope.y);
     place.delay = from.delay + 0.5 * way * (from.time_slope.x + place.time_slope.x) + correction;
     place.doubt = from.doubt + PLACE_DOUBT * abs(correction);
     return place;
+}
+
+RayPlace place_beside(Trace trace, vec3 tangent, float phi, RayPlace from, float from_phi) {
+    return place_timed_beside(trace, place_of(trace, tangent, phi), phi, from, from_phi);
 }
 #endif
 #endif

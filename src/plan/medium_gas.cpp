@@ -78,6 +78,8 @@ std::vector<double> gas_values(const MediumFrame& f) {
     const double sense = sign_of(sense_about(*f.plan.matter, m.gas.sense));
     return {m.inner,
             m.outer,
+            std::log(m.inner),
+            std::log(m.outer),
             m.gas.thickness,
             std::log2(m.temperature_K),
             1.0 / m.edge,
@@ -116,7 +118,8 @@ const MediumModel kGasModel{
     .moves = [](const MediumSpec& m) { return m.gas.flow != DiscFlowKind::kStill ? "medium.flow" : nullptr; },
     .faults = gas_faults,
     .numbers =
-        "GAS_INNER GAS_OUTER GAS_THICKNESS GAS_HEAT GAS_RIM GAS_SURFACE GAS_CONTRAST GAS_WINDING GAS_TIME "
+        "GAS_INNER GAS_OUTER GAS_LOG_INNER GAS_LOG_OUTER GAS_THICKNESS GAS_HEAT GAS_RIM GAS_SURFACE GAS_CONTRAST "
+        "GAS_WINDING GAS_TIME "
         "GAS_RATE GAS_RATE_CHARGE GAS_SENSE",
     .values = gas_values,
     .before =
