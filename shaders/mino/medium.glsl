@@ -15,6 +15,10 @@ struct MediumWalk {
     float ended;
     float part;           // of the step that is done
     RayPlace place;       // there
+    float turn;           // medium_turn() there
+    float more;           // of the step, that a span from there takes
+    RayPlace next;        // its end
+    float next_turn;
     bool empty;           // no matter there
     int left;             // steps of the ray
     int spans;
@@ -118,7 +122,7 @@ MediumWalk medium_next(MediumWalk walk) {
     return walk;
 }
 
-// To where there may be matter, up to the part `last` of the step.
+// To where there may be matter, up to the part `last` of the step, and the end of a span from there.
 MediumWalk medium_on(MediumWalk walk, float last) {
     bool comes = false;
     float before = 1.0e6;
@@ -127,38 +131,42 @@ MediumWalk medium_on(MediumWalk walk, float last) {
         float free = medium_free(walk.place.r, walk.place.outward.z);
         length = medium_jump(free, before, length, walk.place.r);
         before = free;
-        float jump = min(place_part(walk.place, max(length, frame.medium_bound.y)), medium_longest());
         // On its way out beyond the outermost matter nothing more follows.
         bool over = walk.place.r > frame.medium_bound.x && dot(walk.place.velocity, walk.place.outward) > 0.0;
         walk.empty = over || free > walk.sum.step;   // a span is longer
         comes = comes || walk.empty;
-        jump = walk.empty ? jump : 0.0;
-        walk.part = !over && jump < last - walk.part ? walk.part + jump : last;
-        walk.place = medium_place(walk.ray, walk.segment, walk.part);
+        float way = max(walk.empty ? length : medium_step(comes, walk.sum.step), frame.medium_bound.y) * (walk.empty ? 1.0 : float(MEDIUM_SAMPLES));
+        walk.more = min(min(place_part(walk.place, way), medium_longest()), last - walk.part);
+        walk.next = medium_place(walk.ray, walk.segment, walk.part + walk.more);
+        walk.next_turn = medium_turn(walk.ray, walk.segment, walk.part + walk.more);
+        if (walk.empty) {
+            walk.part = !over && walk.more < last - walk.part ? walk.part + walk.more : last;
+            walk.place = walk.next;
+            walk.turn = walk.next_turn;
+        }
         walk.spans -= 1;
     } while (walk.empty && walk.part < last && walk.spans > 0);
     walk.sum.step = medium_step(comes, walk.sum.step);
     return walk;
 }
 
-// And along a span from there; of it what medium_to() has not set.
+// And along the span; of it what medium_to() has not set.
 MediumWalk medium_through(MediumWalk walk, MediumSpan span, float last) {
-    float length = max(walk.sum.step, frame.medium_bound.y) * float(MEDIUM_SAMPLES);
-    float more = min(min(place_part(walk.place, length), medium_longest()), last - walk.part);
-    RayPlace next = medium_place(walk.ray, walk.segment, walk.part + more);
+    float to = walk.part + walk.more;
     span.from = walk.place.at;
-    span.to = next.at;
-    span.from_slope = more * walk.place.velocity;
-    span.to_slope = more * next.velocity;
-    span.way = walk.segment.h * more * walk.doppler;
-    span.turns = vec2(medium_turn(walk.ray, walk.segment, walk.part), medium_turn(walk.ray, walk.segment, walk.part + more));
+    span.to = walk.next.at;
+    span.from_slope = walk.more * walk.place.velocity;
+    span.to_slope = walk.more * walk.next.velocity;
+    span.way = walk.segment.h * walk.more * walk.doppler;
+    span.turns = vec2(walk.turn, walk.next_turn);
 #ifdef NEEDS_PLACE_LATE
-    span.delays = vec2(walk.place.delay, next.delay);
+    span.delays = vec2(walk.place.delay, walk.next.delay);
 #endif
-    span = medium_on_ray(span, walk.begun + walk.segment.h * walk.part, walk.begun + walk.segment.h * (walk.part + more));
+    span = medium_on_ray(span, walk.begun + walk.segment.h * walk.part, walk.begun + walk.segment.h * to);
     walk.sum = medium_along(span, walk.sum, walk.empty);
-    walk.part = walk.empty ? walk.part : more < last - walk.part ? walk.part + more : last;
-    walk.place = next;
+    walk.part = walk.empty ? walk.part : walk.more < last - walk.part ? to : last;
+    walk.place = walk.next;
+    walk.turn = walk.next_turn;
     // Nor on its way in within the innermost.
     bool outward = dot(walk.place.velocity, walk.place.outward) > 0.0;
     walk.going = walk.going && (outward ? walk.place.r < frame.medium_bound.x || walk.part < last : walk.place.r > frame.medium_hole.w);
@@ -168,6 +176,7 @@ MediumWalk medium_through(MediumWalk walk, MediumSpan span, float last) {
 // Along the step.
 MediumWalk medium_in_step(MediumWalk walk, MediumSpan span, float last) {
     walk.place = medium_place(walk.ray, walk.segment, walk.part);
+    walk.turn = medium_turn(walk.ray, walk.segment, walk.part);
     do walk = medium_through(medium_on(walk, last), span, last);
     while (walk.part < last && walk.going && walk.sum.through > frame.medium_colour.w && walk.spans > 0);
     return walk;
