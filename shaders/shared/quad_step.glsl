@@ -12,9 +12,9 @@ shared vec4 quad_values[GROUP_THREADS];   // blocks of 2 x 2 are four threads in
 
 QuadStep quad_step(vec4 here) {
     int thread = int(gl_LocalInvocationIndex);
-    barrier();   // what was there before has been read
+    GROUP_WAITS();   // what was there before has been read
     quad_values[thread] = here;
-    barrier();
+    GROUP_WAITS();
     vec4 along = quad_values[thread | 1] - quad_values[thread & ~1];
     return QuadStep(along, quad_values[thread | 2] - quad_values[thread & ~2]);
 }

@@ -4,9 +4,23 @@
 
 layout(local_size_x = GROUP_THREADS) in;
 
+#ifdef DRAWS_TILES
+#include "shared/tile_list.glsl"
+
+uint thread_group() { return LIST_ACROSS * gl_WorkGroupID.y + gl_WorkGroupID.x; }
+
+// Is there a tile for the group?
+bool thread_draws() { return thread_group() < tile_list.tiles; }
+
+ivec2 thread_tile() {
+    uint tile = tile_list.listed[thread_draws() ? thread_group() : 0u];
+    return ivec2(int(tile & 65535u), int(tile >> 16));
+}
+#else
 uniform int tile_row;   // of tiles, counted from below: the first that is drawn
 
 ivec2 thread_tile() { return ivec2(gl_WorkGroupID.xy) + ivec2(0, tile_row); }
+#endif
 
 ivec2 thread_pixel() {
     int i = int(gl_LocalInvocationIndex);

@@ -1,31 +1,27 @@
 // The picture by compute, a thread a pixel: what stage/trace.frag draws. Tiles are the picture's own where it is drawn in tiles.
 #include "shared/thread.glsl"
 #include "stage/traced_pixel.glsl"
-#ifdef DRAWS_TILES
-#include "stage/tile_drawn.glsl"
-
+#ifdef TILES_WITH_BODIES
 uniform highp sampler2D tile_texture;   // stage/tiles.frag
 #endif
 
 layout(binding = 0, PICTURE_FORMAT) uniform image2D picture_image;
 uniform int drawn_from;       // from below: the rows that are drawn, up to but not including ...
 uniform int drawn_to;         // ... this one
-uniform float layer_share;    // what is drawn counts so much ...
-uniform bool layer_replaces;  // ... in the place of what is there, or added to it
+uniform float layer_share;    // what is drawn counts so much: in the place of what is there, or added to it (PICTURE_ADDS)
 
 void put_pixel(ivec2 pixel, vec4 colour) {
     if (pixel.x >= imageSize(picture_image).x || pixel.y < drawn_from || pixel.y >= drawn_to) return;
     colour *= layer_share;
-    if (!layer_replaces) colour += imageLoad(picture_image, pixel);
+    if (PICTURE_ADDS) colour += imageLoad(picture_image, pixel);
     imageStore(picture_image, pixel, colour);
 }
 
 void main() {
 #ifdef DRAWS_TILES
-    vec4 set = texelFetch(tile_texture, thread_tile(), 0);
-    if (!tile_drawn(set)) return;   // all of the group
+    if (!thread_draws()) return;   // all of the group
 #ifdef TILES_WITH_BODIES
-    tile_set = set;
+    tile_set = texelFetch(tile_texture, thread_tile(), 0);
 #endif
 #endif
     put_pixel(thread_pixel(), traced_pixel());

@@ -2,6 +2,7 @@
 
 #include <glad/gl.h>
 
+#include <string_view>
 #include <utility>
 
 #include "gl/driver_log.h"
@@ -28,13 +29,35 @@ void bind_image(GLuint unit, unsigned texture, Format format, GLenum access) {
     glBindImageTexture(unit, texture, 0, GL_FALSE, 0, access, kStored[static_cast<int>(format)]);
 }
 
+void finish_dispatch() {
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                    GL_PIXEL_BUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+    check("compute");
+}
+
 void dispatch(const Program& program, int width, int side, int first, int last) {
     set_integer(program, "tile_row", first / side);
     const int across = (width + side - 1) / side, up = (last + side - 1) / side - first / side;
     glDispatchCompute(static_cast<GLuint>(across), static_cast<GLuint>(up), 1);
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                    GL_PIXEL_BUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-    check("compute");
+    finish_dispatch();
+}
+
+void bind_layer(const Program& program, const StoredImage& to, int first, int last, const Layer& layer) {
+    set_integer(program, "drawn_from", first);
+    set_integer(program, "drawn_to", last);
+    glUniform1f(glGetUniformLocation(program.id(), "layer_share"), static_cast<float>(layer.share));
+    bind_image(0, to.texture, to.format, GL_READ_WRITE);
+}
+
+// What a list begins with (shaders/shared/tile_list.glsl): nothing, in no group.
+constexpr GLuint kNoTiles[] = {0, 0, 1, 1};
+constexpr int kListThreads = 64;
+
+// llvmpipe draws a block of 2 x 2 threads as one vector: what one of them stores the others see at once. With barrier() it keeps what lives in
+// loops in memory, which costs 1.4 times as much.
+bool draws_in_step() {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name != nullptr && std::string_view(name).starts_with("llvmpipe");
 }
 
 }  // namespace
@@ -42,7 +65,7 @@ void dispatch(const Program& program, int width, int side, int first, int last) 
 bool computes() {
     const GLint major = integer_of(GL_MAJOR_VERSION), minor = integer_of(GL_MINOR_VERSION);
     return (major > 4 || (major == 4 && minor >= 3)) && GLAD_GL_ARB_compute_shader != 0 &&
-           GLAD_GL_ARB_shader_image_load_store != 0;
+           GLAD_GL_ARB_shader_image_load_store != 0 && GLAD_GL_ARB_shader_storage_buffer_object != 0;
 }
 
 std::optional<StoredImage> stored_image(unsigned framebuffer) {
@@ -64,9 +87,11 @@ std::optional<StoredImage> stored_image(unsigned framebuffer) {
     return std::nullopt;
 }
 
-ComputeProgram make_compute_program(const std::string& text, Format stored) {
-    const std::string source =
-        std::string("#version 430 core\n#define PICTURE_FORMAT ") + kFormats[static_cast<int>(stored)] + "\n" + text;
+ComputeProgram make_compute_program(const std::string& text, Stored stored) {
+    const std::string source = std::string("#version 430 core\n#define PICTURE_FORMAT ") +
+                               kFormats[static_cast<int>(stored.format)] + "\n#define PICTURE_ADDS " +
+                               (stored.adds ? "true" : "false") + "\n#define GROUP_WAITS " +
+                               (draws_in_step() ? "memoryBarrierShared" : "barrier") + "\n" + text;
     const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
     const char* lines = source.c_str();
     glShaderSource(shader, 1, &lines, nullptr);
@@ -83,13 +108,43 @@ ComputeProgram make_compute_program(const std::string& text, Format stored) {
     return {Program(), "the driver refuses a compute shader: " + explained_log(log, source)};
 }
 
+void TileList::find(const Program& program, int first, int last) {
+    if (room_ < last - first) {
+        room_ = last - first;
+        GLuint made = 0;
+        glGenBuffers(1, &made);
+        buffer_ = Buffer(made);
+        glBindBuffer(GL_SHADER_STORAGE_BUFFER, made);
+        glBufferData(GL_SHADER_STORAGE_BUFFER,
+                     static_cast<GLsizeiptr>(sizeof(kNoTiles) + sizeof(GLuint) * static_cast<std::size_t>(room_)),
+                     nullptr, GL_DYNAMIC_COPY);
+    }
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer_.id());
+    glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof kNoTiles, kNoTiles);
+    set_integer(program, "tile_from", first);
+    set_integer(program, "tile_to", last);
+    glDispatchCompute(static_cast<GLuint>((last - first + kListThreads - 1) / kListThreads), 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    check("list tiles");
+}
+
+void TileList::dispatch(const Program& program) const {
+    glUseProgram(program.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer_.id());
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffer_.id());
+    glDispatchComputeIndirect(sizeof(GLuint));  // behind their number
+    finish_dispatch();
+}
+
 void compute_rows(const Program& program, const StoredImage& to, int side, int first, int last, const Layer& layer) {
-    set_integer(program, "drawn_from", first);
-    set_integer(program, "drawn_to", last);
-    set_integer(program, "layer_replaces", layer.share >= 1.0 || layer.replaces ? 1 : 0);
-    glUniform1f(glGetUniformLocation(program.id(), "layer_share"), static_cast<float>(layer.share));
-    bind_image(0, to.texture, to.format, GL_READ_WRITE);
+    bind_layer(program, to, first, last, layer);
     dispatch(program, to.width, side, first, last);
+}
+
+void compute_tiles(const Program& program, const StoredImage& to, const TileList& tiles, int first, int last,
+                   const Layer& layer) {
+    bind_layer(program, to, first, last, layer);
+    tiles.dispatch(program);
 }
 
 void compute_rows(const Program& program, const Target& to, int side, int first, int last) {

@@ -4,20 +4,32 @@
 
 namespace nullscope {
 
-const gl::Program* ComputePicture::program(const Key& key, gl::Format stored, const std::function<std::string()>& text,
+gl::Program ComputePicture::made(const std::string& text, gl::Stored stored,
+                                 const std::function<void(const gl::Program&)>& name_inputs) {
+    gl::ComputeProgram made = gl::make_compute_program(text, stored);
+    if (made.program)
+        name_inputs(made.program);
+    else
+        refused_ = made.refusal.substr(0, made.refusal.find('\n'));
+    return std::move(made.program);
+}
+
+const gl::Program* ComputePicture::program(const Key& key, gl::Stored stored, const std::function<std::string()>& text,
                                            const std::function<void(const gl::Program&)>& name_inputs) {
     const auto [found, is_new] = programs_.try_emplace({key, stored});
-    if (is_new) {
-        gl::ComputeProgram made = gl::make_compute_program(text(), stored);
-        if (made.program)
-            name_inputs(made.program);
-        else
-            refused_ = made.refusal.substr(0, made.refusal.find('\n'));
-        found->second = std::move(made.program);
-    }
+    if (is_new) found->second = made(text(), stored, name_inputs);
     if (!found->second) return nullptr;
     ++drawn_;
     return &found->second;
+}
+
+const gl::TileList* ComputePicture::tiles(Stage stage, int across, int first, int last,
+                                          const std::function<void(const gl::Program&)>& name_inputs) {
+    const auto [found, is_new] = lists_.try_emplace(stage);
+    if (is_new) found->second = made(tile_list_source(stage), {}, name_inputs);
+    if (!found->second) return nullptr;
+    list_.find(found->second, first * across, last * across);
+    return &list_;
 }
 
 std::string ComputePicture::refusal() const {

@@ -20,9 +20,14 @@ public:
     // Is what this stage draws to be computed, as far as is known before its program is there?
     bool wants(Stage stage) const { return wanted_ && computes(stage) && gl::computes(); }
 
-    // Of a stage that it wants, to store in this format; made by the first call. nullptr: the driver refuses it, fragments draw it.
-    const gl::Program* program(const Key& key, gl::Format stored, const std::function<std::string()>& text,
+    // Of a stage that it wants, to store like this; made by the first call. nullptr: the driver refuses it, fragments draw it.
+    const gl::Program* program(const Key& key, gl::Stored stored, const std::function<std::string()>& text,
                                const std::function<void(const gl::Program&)>& name_inputs);
+
+    // The tiles that this stage draws, of a picture of `across` tiles a row, in the rows from `first` up to but not including `last`. Its tile texture
+    // must be bound. nullptr: the driver refuses to list them.
+    const gl::TileList* tiles(Stage stage, int across, int first, int last,
+                              const std::function<void(const gl::Program&)>& name_inputs);
 
     // Do compute shaders draw, as far as is known?
     bool draws() const { return wanted_ && refusal().empty(); }
@@ -32,9 +37,14 @@ public:
     std::string take_refusal();
 
 private:
+    gl::Program made(const std::string& text, gl::Stored stored,
+                     const std::function<void(const gl::Program&)>& name_inputs);
+
     bool wanted_ = false, told_ = false;
     int drawn_ = 0;
-    std::map<std::pair<Key, gl::Format>, gl::Program> programs_;  // one without a name: refused
+    std::map<Stage, gl::Program> lists_;
+    gl::TileList list_;
+    std::map<std::pair<Key, gl::Stored>, gl::Program> programs_;  // one without a name: refused
     std::string refused_;
 };
 

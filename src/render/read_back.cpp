@@ -116,7 +116,7 @@ RayFrame Renderer::ray_data(int row_step) {
 }
 
 void Renderer::list_rays(const ListedCrossings& asked, std::span<const RayNumbers> rays, ListedRay* found) {
-    const gl::Program* computed = compute_program(Stage::kRayList, Output::kLinear, gl::Format::kRgba32F);
+    const gl::Program* computed = compute_program(Stage::kRayList, Output::kLinear, {});
     const gl::Program& built = computed != nullptr ? *computed : program(Stage::kRayList, Output::kLinear);
     gl::set_integer(built, "listed_first", asked.first);
     gl::set_integer(built, "listed_most", asked.most);
@@ -148,8 +148,7 @@ RayFrame Renderer::draw_rays(const gl::Target& target, int row_step) {
     const int w = target.width, h = target.height, rows = (h - 1) / row_step + 1;
     inputs_.load_ends(tables_);
     // A group of threads has several rows.
-    const gl::Program* computed =
-        row_step == 1 ? compute_program(Stage::kRayData, Output::kLinear, gl::Format::kRgba32F) : nullptr;
+    const gl::Program* computed = row_step == 1 ? compute_program(Stage::kRayData, Output::kLinear, {}) : nullptr;
     const gl::Program& built = computed != nullptr ? *computed : program(Stage::kRayData, Output::kLinear);
     bind_inputs();
     if (computed != nullptr)

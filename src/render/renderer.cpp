@@ -97,12 +97,14 @@ void Renderer::name_inputs(const gl::Program& program) {
     for (int i = 0; const char* sampler : LightLattice::kSamplers) gl::set_integer(program, sampler, kTileUnit + i++);
 }
 
-const gl::Program* Renderer::compute_program(Stage stage, Output output, gl::Format stored) {
+const gl::Program* Renderer::compute_program(Stage stage, Output output, gl::Stored stored) {
     if (!computed_.wants(stage)) return nullptr;
     return computed_.program(
         program_key(stage, output), stored,
         [&] {
-            return compute_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
+            std::string text =
+                compute_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
+            return flat_frame_ ? with_frame_read_once(text, kMostFlatInputs) : text;
         },
         name_inputs);
 }
@@ -110,11 +112,19 @@ const gl::Program* Renderer::compute_program(Stage stage, Output output, gl::For
 // false: it is left to fragments.
 bool Renderer::compute_picture(const Pass& pass, unsigned picture, int first, int last, const gl::Layer& layer) {
     const auto image = computed_.wants(pass.stage) ? gl::stored_image(picture) : std::nullopt;
-    const gl::Program* built = image ? compute_program(pass.stage, pass.output, image->format) : nullptr;
+    const gl::Program* built =
+        image ? compute_program(pass.stage, pass.output, {image->format, gl::adds(layer)}) : nullptr;
     if (built == nullptr) return false;
     if (pass.output == Output::kLayers) gl::set_integer(*built, "layer_shown", static_cast<int>(layer_));
-    gl::compute_rows(*built, *image, kTileSide, first, last, layer);
-    return true;
+    if (!is_in_tiles(pass.stage)) {
+        gl::compute_rows(*built, *image, kTileSide, first, last, layer);
+        return true;
+    }
+    const auto tiles = [](int length) { return (length + kTileSide - 1) / kTileSide; };
+    const gl::TileList* list =
+        computed_.tiles(pass.stage, tiles(image->width), first / kTileSide, tiles(last), name_inputs);
+    if (list != nullptr) gl::compute_tiles(*built, *image, *list, first, last, layer);
+    return list != nullptr;
 }
 
 bool Renderer::is_compiled(Stage stage, Output output) {

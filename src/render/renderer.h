@@ -147,7 +147,7 @@ private:
     ShaderSource source_of(Stage stage, Output output) const;
     const gl::Program& program(Stage stage, Output output);
     static void name_inputs(const gl::Program& program);
-    const gl::Program* compute_program(Stage stage, Output output, gl::Format stored);
+    const gl::Program* compute_program(Stage stage, Output output, gl::Stored stored);
     bool compute_picture(const Pass& pass, unsigned picture, int first, int last, const gl::Layer& layer);
     bool is_compiled(Stage stage, Output output);  // begins it if it was not
     std::vector<Pass> passes_with(Tiles most, Output output) const;

@@ -52,21 +52,44 @@ std::vector<std::string> frame_members_read(const std::string& text) {
     return names;
 }
 
+namespace {
+
+std::vector<std::string> most_read(const std::string& text, int most) {
+    std::vector<std::string> names = frame_members_read(text);
+    names.resize(std::min(names.size(), static_cast<std::size_t>(std::max(most, 0))));
+    return names;
+}
+
+std::string reads_of(const std::vector<std::string>& names) {
+    std::string reads;
+    for (const std::string& name : names) reads += fmt::format(" flat_{0} = frame.{0};", name);
+    return reads;
+}
+
+// The text that reads flat_NAME in the place of these members.
+std::string renamed(std::string text, const std::vector<std::string>& names) {
+    std::vector<std::size_t> reads;
+    each_read(text, [&](std::size_t at, const std::string& name) {
+        if (std::ranges::find(names, name) != names.end()) reads.push_back(at);
+    });
+    for (auto at = reads.rbegin(); at != reads.rend(); ++at) text.replace(*at, kRead.size(), "flat_");
+    return text;
+}
+
+}  // namespace
+
 ShaderSource with_flat_frame(const ShaderSource& source, int most) {
     const std::size_t block = source.fragment.find(kBlock), main = source.vertex.find(kMain);
     if (block == std::string::npos || source.fragment.find(kBlockEnd) == std::string::npos || main == std::string::npos)
         return source;
-    std::vector<std::string> names = frame_members_read(source.fragment);
-    names.resize(std::min(names.size(), static_cast<std::size_t>(std::max(most, 0))));
-
+    const std::vector<std::string> names = most_read(source.fragment, most);
     ShaderSource flat = source;
-    std::string inputs, outputs, hands_on;
+    std::string inputs, outputs;
     for (const std::string& name : names) {
         inputs += fmt::format("flat in highp vec4 flat_{};\n", name);
         outputs += fmt::format("flat out highp vec4 flat_{};\n", name);
-        hands_on += fmt::format(" flat_{0} = frame.{0};", name);
     }
-    flat.vertex.insert(main + kMain.size(), hands_on);
+    flat.vertex.insert(main + kMain.size(), reads_of(names));
     if (source.vertex.find(kBlockEnd) == std::string::npos)
         outputs = "layout(std140) " + std::string(kBlockEnd) + "\n" + outputs;
     if (source.vertex.find(kBlock) == std::string::npos) {
@@ -75,13 +98,21 @@ ShaderSource with_flat_frame(const ShaderSource& source, int most) {
     }
     flat.vertex.insert(after_head(source.vertex), outputs);
 
-    std::vector<std::size_t> reads;
-    each_read(source.fragment, [&](std::size_t at, const std::string& name) {
-        if (std::ranges::find(names, name) != names.end()) reads.push_back(at);
-    });
-    for (auto at = reads.rbegin(); at != reads.rend(); ++at) flat.fragment.replace(*at, kRead.size(), "flat_");
+    flat.fragment = renamed(source.fragment, names);
     flat.fragment.insert(after_head(source.fragment), inputs);
     return flat;
+}
+
+std::string with_frame_read_once(const std::string& text, int most) {
+    const std::size_t block = text.find(kBlockEnd);
+    if (block == std::string::npos || text.find(kMain) == std::string::npos) return text;
+    const std::vector<std::string> names = most_read(text, most);
+    std::string numbers;
+    for (const std::string& name : names) numbers += fmt::format(" vec4 flat_{};", name);
+    std::string once = renamed(text, names);
+    once.insert(once.find(kMain) + kMain.size(), reads_of(names));
+    once.insert(once.find(kBlockEnd) + kBlockEnd.size(), numbers);
+    return once;
 }
 
 }  // namespace nullscope

@@ -18,4 +18,7 @@ std::vector<std::string> frame_members_read(const std::string& text);
 // itself.
 ShaderSource with_flat_frame(const ShaderSource& source, int most);
 
+// A compute shader that reads up to `most` members of the block once, when it begins.
+std::string with_frame_read_once(const std::string& text, int most);
+
 }  // namespace nullscope

@@ -306,4 +306,10 @@ std::string compute_source(Stage stage, const EffectSet& effects, Output output,
     return texts_of({root}, stage, std::move(defines), effects, method, metric, bodies).front();
 }
 
+std::string tile_list_source(Stage stage) {
+    return texts_of({"stage/tile_list.comp"}, stage, stage_defines(stage, {}, Output::kLinear, {}), {}, {},
+                    "schwarzschild", {})
+        .front();
+}
+
 }  // namespace nullscope

@@ -116,6 +116,8 @@ constexpr bool computes(Stage stage) {
 // What such a stage draws as a compute shader of the same functions, without what it begins with (gl/compute.h).
 std::string compute_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
                            std::string_view metric = "schwarzschild", const BodyText& bodies = {});
+// And what lists the tiles that it draws, of a stage that is drawn in tiles.
+std::string tile_list_source(Stage stage);
 
 // Which members of FrameData (shaders/shared/frame_block.glsl, numbered as in the file) the block of these effects has, in order.
 std::vector<int> block_members(const EffectSet& effects);

@@ -182,8 +182,8 @@ TEST_CASE("compute: a text that the driver refuses is said in a line") {
     const auto none = [](const gl::Program&) {};
     const auto refused = [] { return std::string("layout(local_size_x = 64) in;\nvoid main() { nothing(); }\n"); };
     CHECK(computed.draws());
-    CHECK(computed.program(key, gl::Format::kRgba32F, refused, none) == nullptr);
-    CHECK(computed.program(key, gl::Format::kRgba32F, refused, none) == nullptr);
+    CHECK(computed.program(key, {gl::Format::kRgba32F}, refused, none) == nullptr);
+    CHECK(computed.program(key, {gl::Format::kRgba32F}, refused, none) == nullptr);
     CHECK_FALSE(computed.draws());
     CHECK(computed.refusal().find('\n') == std::string::npos);
     CHECK(computed.refusal().find("refuses") != std::string::npos);

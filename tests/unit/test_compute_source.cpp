@@ -59,8 +59,8 @@ TEST_CASE("compute source: waits for neighbours where rays are integrated, and n
     for (const char* name : {"kerr", "first-light", "flat"}) {
         const bool integrated = std::string(name) == "kerr";
         const std::string text = texts_of(Stage::kPicture, *load_scene(name), Output::kLinear).compute;
-        CHECK((text.find("barrier()") != std::string::npos) == integrated);
-        CHECK(texts_of(Stage::kRayData, *load_scene(name), Output::kLinear).compute.find("barrier()") ==
+        CHECK((text.find("GROUP_WAITS()") != std::string::npos) == integrated);
+        CHECK(texts_of(Stage::kRayData, *load_scene(name), Output::kLinear).compute.find("GROUP_WAITS()") ==
               std::string::npos);
     }
 }

@@ -7,7 +7,7 @@ if(glad_FOUND AND NOT TARGET glad)
   add_custom_command(
     OUTPUT ${_glad_dir}/src/gl.c ${_glad_dir}/include/glad/gl.h
     COMMAND ${GLAD_EXECUTABLE} --quiet --reproducible --api gl:core=3.3
-            --extensions GL_KHR_debug,GL_ARB_timer_query,GL_ARB_compute_shader,GL_ARB_shader_image_load_store
+            --extensions GL_KHR_debug,GL_ARB_timer_query,GL_ARB_compute_shader,GL_ARB_shader_image_load_store,GL_ARB_shader_storage_buffer_object
             --out-path ${_glad_dir} c
     COMMENT "Generating the OpenGL 3.3 core loader")
   add_library(glad STATIC ${_glad_dir}/src/gl.c)
