@@ -1,0 +1,76 @@
+// The equations of a light ray, traced backward in time from its camera, in dual numbers: each step carries the derivatives by what the ray
+// begins with and by the metric's numbers (the variational equations). No tables; shares no code with the shader nor with the reference.
+//
+// In Mino's time lambda (d(affine parameter) = Sigma dlambda), with u = 1/r and the unit vector n of the angles (theta, psi):
+//     u' = w,  w' = U'(u)/2,  n'' = -(C + 2 b cos^2 theta) n + b cos(theta) z,  U = w^2,
+// of the same form for all metrics here, regular at turning points and on the axis. b = a^2 E^2, C = |n'|^2 - b cos^2(theta): separated by
+// Carter, Phys. Rev. 174, 1559 (1968); without rotation b = 0 and n moves on a great circle. The azimuth is psi and what the hole drags.
+#pragma once
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "base/vec.h"
+#include "gradient/dual.h"
+
+namespace nullscope {
+
+// What rays are differentiated by: of a static observer at r, theta, who looks along n: r and theta (n kept in the local frame), and n turned
+// by a small angle towards `aside` and towards `across`; the metric's numbers; how the disc leans.
+enum Seed { kSeedR, kSeedTheta, kSeedAside, kSeedAcross, kSeedSpin, kSeedCharge, kSeedTilt, kSeedNode, kSeeds };
+using Number = Dual<double, kSeeds>;
+
+// n, over the local axes outward, southward, eastward, and two unit vectors across it.
+struct LookedAlong {
+    Vec3 n, aside, across;
+};
+LookedAlong looked_along(Vec3 n);
+
+struct Launch {
+    double r = 1, theta = 0, phi = 0;
+    LookedAlong view;
+};
+
+using Triple = std::array<Number, 3>;
+inline Number dot(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+enum FlowState { kU, kW, kN, kTurn = kN + 3, kDragged = kTurn + 3, kTime, kFlowStates };  // kN, kTurn: n and n'
+using RayState = std::array<Number, kFlowStates>;
+
+// Of one ray: what stays the same along it. The photon has frequency 1 in the camera; energy E and momentum L = L_z at infinity.
+struct Photon {
+    Number energy, momentum, bent;  // bent: C; about a spherical hole L^2 of its plane
+};
+
+class Flow {
+public:
+    virtual ~Flow() = default;
+    // Where there is no observer at rest the state is not finite.
+    virtual Photon launch(const Launch& from, RayState& state) const = 0;
+    // time: T' = d(t + r_*)/dlambda of the light, as it runs: what the advanced time grows by. Of rays that leave (w < 0) without cancellation.
+    virtual RayState slope(const Photon& photon, const RayState& state) const = 0;
+    virtual Number radial(const Photon& photon, const Number& u) const = 0;  // U
+    virtual double innermost() const = 0;  // u at the horizon, or where to stop looking for one
+};
+
+// Schwarzschild's, Reissner and Nordstrom's, Kerr's, Kerr and Newman's, flat space and formulas. parameters: of the registry.
+// Errors: another metric; a formula at fault.
+Result<std::unique_ptr<Flow>> make_flow(const std::string& metric, const std::map<std::string, double>& parameters,
+                                        const std::map<std::string, std::string>& formulas);
+
+// mass 0: flat space. spin: a/M, charge: Q/M; derivatives by them are by these.
+std::unique_ptr<Flow> make_hole_flow(double mass, double spin, double charge);
+Result<std::unique_ptr<Flow>> make_formula_flow(const std::map<std::string, std::string>& formulas, double horizon);
+
+// cos(theta), sin(theta) and the frame n, e_theta, e_phi at the launch, of dual theta; v = the view, of dual angles.
+struct LaunchFrame {
+    Number r, sine, cosine;
+    Triple outward, southward, eastward, view;
+    explicit LaunchFrame(const Launch& from);
+};
+// u, w and n'; what is dragged and the time begin at 0.
+RayState launched(const LaunchFrame& frame, const Number& w, const Number& southward, const Number& eastward);
+
+}  // namespace nullscope

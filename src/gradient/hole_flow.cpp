@@ -1,0 +1,85 @@
+// Rays about Kerr and Newman's hole and its limits, 2 M = 1: Delta = r^2 - r + a^2 + Q^2 = r^2 D(u), D = 1 - u + (a^2 + Q^2) u^2;
+//     U = x^2 - u^2 D K,  x = E + (a^2 E - a L) u^2,  K = C - 2 a L E + a^2 E^2,
+//     dragged' = -a (x/D - E),  T' = (1 + a^2 u^2)(x + w)/(D u^2) + a (L - a E sin^2 theta),
+// where x + w = u^2 D K/(x - w).
+#include "gradient/flow.h"
+
+namespace nullscope {
+namespace {
+
+class HoleFlow final : public Flow {
+public:
+    HoleFlow(double mass, double spin, double charge)
+        : mass2_(2 * mass),
+          a_(0.5 * Number::variable(spin, kSeedSpin)),
+          charge2_(0.25 * (Number::variable(charge, kSeedCharge) * Number::variable(charge, kSeedCharge))),
+          both2_(a_ * a_ + charge2_) {}
+
+    Photon launch(const Launch& from, RayState& state) const override {
+        const LaunchFrame at(from);
+        const Number across = at.r * at.r + a_ * a_, cosine2 = at.cosine * at.cosine, sine2 = at.sine * at.sine;
+        const Number sigma = at.r * at.r + a_ * a_ * cosine2, delta = across - mass2_ * at.r + charge2_;
+        const Number area = across * across - delta * (a_ * a_) * sine2;
+        const Number l_over_sine = -(sqrt(area / sigma) * at.view[2]);  // the photon runs against the view
+        const Number p_theta = sqrt(sigma) * at.view[1], rise = sqrt(sigma * delta) * at.view[0];
+        Photon photon;
+        photon.momentum = l_over_sine * at.sine;
+        photon.energy = sqrt(delta * sigma / area) + a_ * (mass2_ * at.r - charge2_) / area * photon.momentum;
+        const Number ae = a_ * photon.energy;
+        photon.bent = p_theta * p_theta + l_over_sine * l_over_sine - ae * ae * cosine2;
+        state = launched(at, -(rise / (at.r * at.r)), p_theta, -l_over_sine);
+        return photon;
+    }
+
+    RayState slope(const Photon& photon, const RayState& s) const override {
+        const Number &u = s[kU], &w = s[kW], &cosine = s[kN + 2];
+        const Number ae = a_ * photon.energy, pull = ae * ae;
+        const Parts p(*this, photon, u);
+        RayState rate;
+        rate[kU] = w;
+        rate[kW] = 2.0 * (p.bend * u * p.x) - p.carter * u * (p.d + 0.5 * (u * p.d_slope));
+        const Number turning = photon.bent + 2.0 * (pull * cosine * cosine);
+        for (std::size_t i = 0; i < 3; ++i) {
+            rate[kN + i] = s[kTurn + i];
+            rate[kTurn + i] = -(turning * s[kN + i]);
+        }
+        rate[kTurn + 2] = rate[kTurn + 2] + pull * cosine;
+        rate[kDragged] = -(a_ * (p.x / p.d - photon.energy));
+        const Number round = 1.0 + a_ * a_ * u * u;
+        const Number fall = w.value > 0 ? (p.x + w) / (p.d * u * u) : p.carter / (p.x - w);
+        rate[kTime] = round * fall + a_ * (photon.momentum - ae * (1.0 - cosine * cosine));
+        return rate;
+    }
+
+    Number radial(const Photon& photon, const Number& u) const override {
+        const Parts p(*this, photon, u);
+        return p.x * p.x - u * u * p.d * p.carter;
+    }
+    double innermost() const override {
+        const double root = mass2_ * mass2_ - 4 * both2_.value;
+        return root < 0 || mass2_ == 0 ? 1e3 : 2 / (mass2_ + std::sqrt(root));
+    }
+
+private:
+    struct Parts {
+        Number d, d_slope, bend, x, carter;
+        Parts(const HoleFlow& hole, const Photon& photon, const Number& u) {
+            const Number& a = hole.a_;
+            d_slope = 2.0 * (hole.both2_ * u) - hole.mass2_;
+            d = 1.0 - hole.mass2_ * u + hole.both2_ * u * u;
+            bend = a * (a * photon.energy - photon.momentum);
+            x = photon.energy + bend * u * u;
+            carter = photon.bent + a * photon.energy * (a * photon.energy - 2.0 * photon.momentum);
+        }
+    };
+    double mass2_;
+    Number a_, charge2_, both2_;
+};
+
+}  // namespace
+
+std::unique_ptr<Flow> make_hole_flow(double mass, double spin, double charge) {
+    return std::make_unique<HoleFlow>(mass, spin, charge);
+}
+
+}  // namespace nullscope
