@@ -18,6 +18,7 @@ VISIBILITY = ("unit_tests", "visibility*")
 RING_PARTS = ("unit_tests", "ring parts*")
 TELESCOPE = ("unit_tests", "telescope*")
 LIVE = ("unit_tests", "live*")
+GRADIENT = ("unit_tests", "ray gradients*")
 
 
 class Mutant(NamedTuple):
@@ -331,4 +332,8 @@ MUTANTS = [Mutant(*row) for row in [
      'add("disc1", PictureLayer::kDisc1, shares, 1);', "", MATRIX),
     ("matrix-kind", "no hot spots in fisheyes", "shaders/object/spot.glsl",
      "if (profile < 1.0e-6)", "if (profile < 1.0e-6 || frame.projection.x == 1.0)", MATRIX),
+    ("gradient-place", "derivatives of crossings at a fixed time of Mino's, not in the plane", "src/gradient/ray_gradient.cpp",
+     "-(dot(normal_, place) / dot(normal_, speed))", "Number(-(dot(normal_, place) / dot(normal_, speed)).value)", GRADIENT),
+    ("gradient-chain", "a division without the derivative of what it is by", "src/gradient/dual.h",
+     "(a.d[i] - x.value * b.d[i]) / b.value", "a.d[i] / b.value", GRADIENT),
 ]]

@@ -4,6 +4,7 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 #include <optional>
 
 #include "command/ray_curves.h"
+#include "command/ray_derivatives.h"
 #include "command/ray_fields.h"
 #include "command/ray_trace.h"
 #include "module/call.h"
@@ -58,8 +60,7 @@ public:
     std::size_t row = 0;
     bool given(cli::RayColumn column) const override {
         if (!columns_[column]) return false;
-        return cli::is_word(column) ? !columns_[column]->word(row).empty()
-                                    : !std::isnan(columns_[column]->number(row));
+        return cli::is_word(column) ? !columns_[column]->word(row).empty() : !std::isnan(columns_[column]->number(row));
     }
     std::optional<double> number(cli::RayColumn column) const override {
         const double value = columns_[column]->number(row);
@@ -174,8 +175,9 @@ void trace(const Scene& scene, const nb::dict& rays, const Bytes& out, const cli
 }
 
 // Rows of points: ray, point, lambda to t_rate. NaN of rays without a curve. to: r, theta, Mino's time where curves end.
-void curves(const Scene& scene, const nb::dict& rays, nb::ndarray<double, nb::ndim<3>, nb::c_contig, nb::device::cpu> out,
-            double farthest, const std::array<std::optional<double>, 3>& to, const nb::object& progress) {
+void curves(const Scene& scene, const nb::dict& rays,
+            nb::ndarray<double, nb::ndim<3>, nb::c_contig, nb::device::cpu> out, double farthest,
+            const std::array<std::optional<double>, 3>& to, const nb::object& progress) {
     constexpr double reference::CurvePoint::*kNumbers[] = {
         &reference::CurvePoint::affine,     &reference::CurvePoint::r,        &reference::CurvePoint::theta,
         &reference::CurvePoint::phi,        &reference::CurvePoint::t,        &reference::CurvePoint::r_rate,
@@ -197,10 +199,47 @@ void curves(const Scene& scene, const nb::dict& rays, nb::ndarray<double, nb::nd
                                       },
                                       listener.progress("rays", static_cast<long long>(count)), of_ray};
         TRY(done, cli::trace_curves(scene, spacetime->length_unit(), *queries,
-                                   {static_cast<int>(points), farthest, to[0], to[1], to[2]}, output));
+                                    {static_cast<int>(points), farthest, to[0], to[1], to[2]}, output));
         const std::string note = cli::no_curve_note(count - found, count, farthest);
         if (!note.empty()) listener.note(note);
         return Done{};
+    });
+}
+
+cli::DerivativeTracer derivative_tracer(const Scene& scene, const std::vector<std::string>& parameters, int crossings) {
+    auto tracer = cli::DerivativeTracer::make(scene, parameters, crossings);
+    if (!tracer) throw Refused(tracer.error());
+    return std::move(*tracer);
+}
+
+// A row a ray: derivatives in the order of gradient_columns, and which of gradient_states it has.
+void gradient(const Scene& scene, const nb::dict& rays, const std::vector<std::string>& parameters, int crossings,
+              nb::ndarray<double, nb::ndim<2>, nb::c_contig, nb::device::cpu> out,
+              nb::ndarray<std::int32_t, nb::ndim<1>, nb::c_contig, nb::device::cpu> states,
+              const nb::object& progress) {
+    const auto spacetime = space_of(scene.spacetime).metric;
+    const GivenRays given = columns_of(rays, *spacetime);
+    const cli::DerivativeTracer tracer = derivative_tracer(scene, parameters, crossings);
+    const std::size_t count = out.shape(0), width = out.shape(1);
+    double* data = out.data();
+    std::int32_t* state = states.data();
+    run(progress, [&](Watch& watch) -> Status {
+        TRY(queries, queries_of(given, count, *spacetime));
+        Status refused = Done{};
+        const cli::TraceOutput output{[&](std::size_t i, RayRecord&& record) {
+                                          const auto found = tracer.derivatives((*queries)[i], record);
+                                          if (!found) {
+                                              if (refused) refused = of_ray(i, found.error());
+                                              return;
+                                          }
+                                          std::copy(found->values.begin(), found->values.end(), data + i * width);
+                                          state[i] = static_cast<std::int32_t>(found->state);
+                                      },
+                                      watch.listener().progress("rays", static_cast<long long>(count)), of_ray};
+        cli::TraceOptions options;
+        options.crossings = crossings;
+        TRY(done, cli::trace_rays(scene, *spacetime, *queries, options, output));
+        return refused;
     });
 }
 
@@ -232,6 +271,18 @@ void add_trace(nb::module_& m) {
         nb::arg("crossings"), nb::arg("progress").none());
     m.def("curves", &curves, nb::arg("scene"), nb::arg("rays"), nb::arg("out"), nb::arg("far"), nb::arg("to"),
           nb::arg("progress").none());
+    m.def("gradient", &gradient, nb::arg("scene"), nb::arg("rays"), nb::arg("parameters"), nb::arg("crossings"),
+          nb::arg("out"), nb::arg("states"), nb::arg("progress").none());
+    m.def(
+        "gradient_columns",
+        [](const Scene& scene, const std::vector<std::string>& parameters, int crossings) {
+            return derivative_tracer(scene, parameters, crossings).columns();
+        },
+        nb::arg("scene"), nb::arg("parameters"), nb::arg("crossings"), "d_NAME.x, ...");
+    m.def(
+        "gradient_states",
+        [] { return std::vector<std::string>(std::begin(cli::kDerivativeStates), std::end(cli::kDerivativeStates)); },
+        "Words of what gradient() says of a ray.");
     m.def(
         "crossing_columns",
         [](const Scene& scene) {

@@ -11,12 +11,12 @@ from . import _core
 from ._core import Error, Observer, Scene, Spacetime, Worldline, __version__, forget_session, scenes
 from ._ehtim import to_ehtim, to_ehtim_movie
 from ._pictures import RAYDATA, Band, Picture, Polarisation, capture, raydata
-from ._rays import Fate, deflection, fate_name, trace, trace_curves, worldline
+from ._rays import Fate, deflection, fate_name, gradient, trace, trace_curves, worldline
 from ._scenes import scene
 from ._telescope import observe, visibility
 
 __all__ = ["RAYDATA", "Band", "Error", "Fate", "Observer", "Picture", "Polarisation", "Scene", "Spacetime", "Worldline", "__version__", "capture",
-           "deflection", "fate_name", "forget_session", "observe", "raydata", "scene", "scenes", "to_ehtim", "to_ehtim_movie", "trace", "trace_curves", "visibility",
+           "deflection", "fate_name", "forget_session", "gradient", "observe", "raydata", "scene", "scenes", "to_ehtim", "to_ehtim_movie", "trace", "trace_curves", "visibility",
            "worldline"]
 
 _assets = _Path(__file__).resolve().parent / "assets"

@@ -1,6 +1,6 @@
 """Lists of rays, worldlines: arrays in, arrays out."""
 import enum
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -94,6 +94,29 @@ def trace(scene: SceneLike, rays: np.ndarray | Mapping, with_: str = "reference"
     fields += [(f"{name}_{k}", "f8") for k in range(1, crossings + 1) for name in each]
     out = np.empty(count, dtype=fields)
     _core.trace(given, columns, out.view(np.uint8), with_, method, context, int(crossings), progress)
+    return out
+
+
+def gradient(scene: SceneLike, rays: np.ndarray | Mapping, parameters: Sequence[str], *, crossings: int = 0, progress: Progress = None) -> np.ndarray:
+    """Derivatives of what trace() gives, as `nullscope trace --derivatives` writes them (docs/ray-data.md, "Derivatives").
+
+    rays: as trace() takes them, of observers at rest. parameters: of "spin", "charge", "camera.r", ... (per rad, r_s or 1). crossings: of the disc's plane.
+    Returns a structured array, shape (n,): state ("yes", "edge": within 0.1 px of the scene's camera from the critical curve or a rim, "lost": none), then
+    for each parameter d_NAME.x, .y, .z (of the unit vector towards the sky), .g, .delay (r_s/c), .r_1, .phi_1, ... NaN where a value does not exist.
+    Some milliseconds a ray. Errors: an unknown parameter (with those that are known), a metric without derivatives, a ray of a falling observer.
+    """
+    given = _scene(scene)
+    columns, count = _columns(rays)
+    _check_whole("crossings", crossings, 0, 1000)
+    if isinstance(parameters, str) or not all(isinstance(name, str) for name in parameters):
+        raise _core.Error("parameters: of another kind; allowed: a list of texts")
+    names = _core.gradient_columns(given, list(parameters), int(crossings))
+    values, states = np.empty((count, len(names))), np.empty(count, dtype=np.int32)
+    _core.gradient(given, columns, list(parameters), int(crossings), values, states, progress)
+    out = np.empty(count, dtype=[("state", "U4")] + [(name, "f8") for name in names])
+    out["state"] = np.array(_core.gradient_states())[states] if count else ""
+    for i, name in enumerate(names):
+        out[name] = values[:, i]
     return out
 
 

@@ -121,11 +121,11 @@ Result<RayTable> read_rays(const std::string& path, const Spacetime& spacetime) 
 }
 
 std::string rays_text(const RayTable& table, const Scene& scene, const RayRecords& records, int crossings,
-                      std::span<const CrossingColumn> columns, double length_unit) {
+                      std::span<const CrossingColumn> columns, double length_unit, const MoreColumns& more) {
     std::string text = table.header + ",fate,theta_inf,phi_inf,angle,delay,g,turn,at";
     for (int k = 1; k <= crossings; ++k)
         for (const CrossingColumn& column : columns) text += fmt::format(",{}_{}", column.name, k);
-    text += '\n';
+    text += more.header + '\n';
     const std::size_t fields = 8 + columns.size() * static_cast<std::size_t>(crossings);
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         text += table.rows[i].text;
@@ -143,6 +143,7 @@ std::string rays_text(const RayTable& table, const Scene& scene, const RayRecord
                 const double value = k < ray.crossings.size() ? ray.crossings[k].*column.value : kNotANumber;
                 append(text, column.is_length ? value / length_unit : value);
             }
+        if (!more.rows.empty()) text += more.rows[i];
         text += '\n';
     }
     return text;

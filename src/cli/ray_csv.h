@@ -40,10 +40,16 @@ Result<RayTable> parse_rays(std::string_view text, const std::string& file, cons
 // Of a row's ray: "FILE:LINE: what".
 Error ray_error(const RayTable& table, std::size_t row, const Error& error);
 
+// Columns behind all others: a name, or a row's fields, each with a comma before it.
+struct MoreColumns {
+    std::string header;
+    std::vector<std::string> rows;  // as many as rays, or none
+};
+
 // The rays' own columns, then what was found: fate, ..., at, then `columns` of each crossing: r_1, phi_1, ... A row without a record gets
 // empty fields.
 // scene: gives the names of bodies. Lengths are divided by length_unit (Spacetime::length_unit), by which reading has multiplied them.
 std::string rays_text(const RayTable& table, const Scene& scene, const RayRecords& records, int crossings,
-                      std::span<const CrossingColumn> columns, double length_unit = 1.0);
+                      std::span<const CrossingColumn> columns, double length_unit = 1.0, const MoreColumns& more = {});
 
 }  // namespace nullscope::cli

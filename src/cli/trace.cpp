@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -9,10 +10,12 @@
 
 #include "base/atomic_file.h"
 #include "base/progress.h"
+#include "base/text.h"
 #include "cli/command.h"
 #include "cli/curve_file.h"
 #include "cli/ray_csv.h"
 #include "command/ray_curves.h"
+#include "command/ray_derivatives.h"
 #include "command/ray_trace.h"
 #include "scenefile/scene_file.h"
 #include "spacetime/registry.h"
@@ -27,6 +30,7 @@ struct Options : TraceOptions {
     double far = reference::CurveSpec{}.farthest;
     std::optional<double> to_r, to_theta, to_mino;
     CurveForm form;
+    std::string derivatives;  // parameters, with commas between
 };
 
 bool ends_in_obj(const std::string& name) { return name.ends_with(".obj") || name.ends_with(".OBJ"); }
@@ -74,8 +78,37 @@ Status write_curves(const Options& options, const Scene& scene, const Spacetime&
     return write(options, ends_in_obj(options.output) ? curves_obj(curves) : curves_csv(curves, options.form));
 }
 
+Status check_derivative_options(const Options& options) {
+    if (options.derivatives.empty()) return Done{};
+    if (options.points > 0) return bad_input("--derivatives: not of curves", "without --points");
+    if (options.with != "reference")
+        return bad_input(fmt::format("--derivatives: not with --with {}", options.with), "--with reference");
+    return Done{};
+}
+
+Result<MoreColumns> derivative_columns(const Options& options, const Scene& scene, const RayTable& table,
+                                       const RayRecords& records) {
+    MoreColumns more;
+    if (options.derivatives.empty()) return more;
+    auto tracer = DerivativeTracer::make(scene, split(options.derivatives, ','), options.crossings);
+    if (!tracer) return bad_input("--derivatives: " + tracer.error().what, tracer.error().allowed);
+    more.header = ",derivatives";
+    for (const std::string& column : tracer->columns()) more.header += ',' + column;
+    Progress progress("derivatives", static_cast<long long>(records.size()));
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        auto found = tracer->derivatives(table.queries[i], *records[i]);
+        if (!found) return ray_error(table, i, found.error());
+        std::string row = fmt::format(",{}", kDerivativeStates[static_cast<int>(found->state)]);
+        for (const double value : found->values) row += std::isfinite(value) ? fmt::format(",{:.17g}", value) : ",";
+        more.rows.push_back(std::move(row));
+        progress.advance(1);
+    }
+    return more;
+}
+
 Status run(const Options& options) {
     TRY(fitting, check_curve_options(options));
+    TRY(of_rays, check_derivative_options(options));
     TRY(scene, asked_scene(options));
     TRY(spacetime, make_spacetime(scene->spacetime.metric, scene->spacetime.parameters));
     TRY(table, read_rays(options.rays, **spacetime));
@@ -93,8 +126,9 @@ Status run(const Options& options) {
     for (const std::string& note : {left_out_note(static_cast<std::size_t>(left_out), records.size(), options),
                                     no_places_note(*scene, **spacetime, table->queries, options)})
         if (!note.empty()) fmt::print(stderr, "nullscope: {}\n", note);
+    TRY(more, derivative_columns(options, *scene, *table, records));
     const std::string text = rays_text(*table, *scene, records, options.crossings,
-                                       crossing_columns(*scene, **spacetime), (*spacetime)->length_unit());
+                                       crossing_columns(*scene, **spacetime), (*spacetime)->length_unit(), *more);
     return write(options, text);
 }
 
@@ -125,6 +159,11 @@ void add_trace(Command& parent) {
                   "Number of crossings of the equatorial plane to list: r_1, phi_1, ...; with a thermal disc also g_1, "
                   "..., with a polarised one "
                   "chi_1, p_1, ...");
+    command.add_option(
+        "--derivatives", &options.derivatives,
+        "Derivatives too: KEY,KEY,... of spin, charge (where the metric has them), camera.r, .theta, .phi, "
+        ".yaw, .pitch, .roll, .fov, disc.tilt, .node, .precession: columns derivatives (yes, edge or "
+        "lost) and d_KEY.x, .y, .z, .g, .delay, .r_1, .phi_1, ... per rad, r_s or 1; with the reference");
     stage_option(command, options.stage);
     context_option(command, options.context, "OpenGL context of --with gl: auto, egl, osmesa");
     number_option(
