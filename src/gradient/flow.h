@@ -49,8 +49,9 @@ public:
     virtual ~Flow() = default;
     // Where there is no observer at rest the state is not finite.
     virtual Photon launch(const Launch& from, RayState& state) const = 0;
-    // time: T' = d(t + r_*)/dlambda of the light, as it runs: what the advanced time grows by. Of rays that leave (w < 0) without cancellation.
-    virtual RayState slope(const Photon& photon, const RayState& state) const = 0;
+    // time: T' = d(t + r_*)/dlambda of the light, as it runs: what the advanced time grows by. leaves: in the form for w < 0, without
+    // cancellation far out; one form for a step, since they are equal only where U = w^2 to the last digit.
+    virtual RayState slope(const Photon& photon, const RayState& state, bool leaves) const = 0;
     virtual Number radial(const Photon& photon, const Number& u) const = 0;  // U
     virtual double innermost() const = 0;  // u at the horizon, or where to stop looking for one
 };

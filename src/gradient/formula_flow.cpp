@@ -26,7 +26,7 @@ public:
         return photon;
     }
 
-    RayState slope(const Photon& photon, const RayState& s) const override {
+    RayState slope(const Photon& photon, const RayState& s, bool leaves) const override {
         const Number &u = s[kU], &w = s[kW], r = 1.0 / u;
         Sloped at;
         at.value = r, at.d[0] = Number(1.0);
@@ -40,8 +40,8 @@ public:
             rate[kTurn + i] = -(photon.bent * s[kN + i]);
         }
         const Number x = photon.energy * p.part2.value / p.root.value;
-        rate[kTime] = w.value > 0 ? p.root.value / p.lapse2.value * (x + w) / (u * u)
-                                  : photon.bent * p.part2.value / (p.root.value * (x - w));
+        rate[kTime] = leaves ? photon.bent * p.part2.value / (p.root.value * (x - w))
+                             : p.root.value / p.lapse2.value * (x + w) / (u * u);
         return rate;
     }
 

@@ -31,7 +31,7 @@ public:
         return photon;
     }
 
-    RayState slope(const Photon& photon, const RayState& s) const override {
+    RayState slope(const Photon& photon, const RayState& s, bool leaves) const override {
         const Number &u = s[kU], &w = s[kW], &cosine = s[kN + 2];
         const Number ae = a_ * photon.energy, pull = ae * ae;
         const Parts p(*this, photon, u);
@@ -46,7 +46,7 @@ public:
         rate[kTurn + 2] = rate[kTurn + 2] + pull * cosine;
         rate[kDragged] = -(a_ * (p.x / p.d - photon.energy));
         const Number round = 1.0 + a_ * a_ * u * u;
-        const Number fall = w.value > 0 ? (p.x + w) / (p.d * u * u) : p.carter / (p.x - w);
+        const Number fall = leaves ? p.carter / (p.x - w) : (p.x + w) / (p.d * u * u);
         rate[kTime] = round * fall + a_ * (photon.momentum - ae * (1.0 - cosine * cosine));
         return rate;
     }

@@ -13,12 +13,14 @@ constexpr double kNearHorizon = 1e-3;  // of a step next to the horizon, over th
 constexpr double kOrder = 13.0;        // of the error that steps are chosen by
 constexpr double kFirstStep = 0.1;     // of u and of the angle
 constexpr double kLongestTurn = 1.0;   // rad, of a step
-constexpr double kShare = 0.99;        // of the way to the sky, of a step
+constexpr double kShare = 0.9999;      // of the way to the sky, of a step
 constexpr double kAtSky = 1e-8;        // u times the impact parameter, where what is left of the way is straight
-constexpr double kLeastStep = 1e-7;    // of the first: at a horizon
+constexpr double kLeastStep = 1e-7;    // of the first
+constexpr double kNearest = 1 - 1e-6;  // of the horizon's u, where rays end
 constexpr int kMostSteps = 4000;
-constexpr double kInPlane = 1e-12;  // a camera whose height is less stands in the plane
-constexpr double kOnPlane = 1e-14;  // of a crossing
+constexpr double kInPlane = 1e-12;     // a camera whose height is less stands in the plane
+constexpr double kAtCrossing = 1e-11;  // of a step
+constexpr int kMostTries = 60;
 
 double largest(const RayState& s, std::size_t first, std::size_t count, double (*part)(const Number&)) {
     double size = 0;
@@ -81,24 +83,28 @@ public:
         : flow_(flow), task_(task), normal_(normal_of(task.lean, task.time)) {
         photon_ = flow.launch(from, here_);
         height_ = height(here_);
-        if (std::fabs(height_) < kInPlane) height_ = height_rate(here_, slope(here_));
+        if (std::fabs(height_) < kInPlane) height_ = dot(normal_, speed(here_, slope(here_))).value;
         if (std::fabs(height_) < kInPlane) task_.crossings = 0;  // it stays in the plane
     }
 
     RayGradient traced() {
         found_.g = 1.0 / photon_.energy;
+        survey();
         const double turn = std::sqrt(squared_turn()), u = here_[kU].value;
         const double first = kFirstStep / (turn + std::fabs(here_[kW].value) / u);
         double length = first;
-        for (int steps = 0; steps < kMostSteps && !at_sky(); ++steps) {
+        for (int steps = 0; steps < kMostSteps && !done(); ++steps) {
             const double longest = longest_step();
             length = std::min(length, longest);
             const RayState rate = slope(here_);
             const auto [end, less_exact] = step(rate, length);
             const double error = StepError(end, less_exact, photon_.energy.value, flow_.innermost()).value();
-            if (error <= 1 && end[kU].value > 0) {
+            const bool within = end[kU].value < flow_.innermost();
+            if (error <= 1 && within && end[kU].value > 0) {
                 take(end, rate, length);
                 length *= std::clamp(0.9 * std::pow(std::max(error, 1e-30), -1 / kOrder), 0.3, 4.0);
+            } else if (error <= 1 && within) {  // beyond the sky: u is concave there
+                length *= kShare * here_[kU].value / (here_[kU].value - end[kU].value);
             } else {
                 length *= std::isfinite(error) ? std::clamp(0.9 * std::pow(error, -1 / kOrder), 0.1, 0.7) : 0.3;
                 if (length < kLeastStep * std::min(first, longest)) break;
@@ -108,10 +114,8 @@ public:
         return std::move(found_);
     }
 
-    double off_critical() const;
-
 private:
-    RayState slope(const RayState& s) const { return flow_.slope(photon_, s); }
+    RayState slope(const RayState& s) const { return flow_.slope(photon_, s, here_[kW].value < 0); }
     RayState stepped(const RayState& rate, double length) const { return step(rate, length).end; }
     ExtrapolatedStep<RayState> step(const RayState& rate, double length) const {
         return extrapolated_step(here_, rate, length, [this](const RayState& s) { return slope(s); });
@@ -130,10 +134,10 @@ private:
         return here_[kW].value < 0 ? std::min(turn, kShare * here_[kU].value / -here_[kW].value) : turn;
     }
     double height(const RayState& s) const { return dot(normal_, place_of(s)).value; }
-    // And by how much it grows along the ray.
-    double height_rate(const RayState& s, const RayState& rate) const {
-        const double part = 1e-3 * kFirstStep / (1 + std::sqrt(squared_turn()));
-        return (height(moved(s, rate, Number(part))) - height(moved(s, rate, Number(-part)))) / (2 * part);
+    void survey();
+    bool done() const {
+        const bool all = static_cast<int>(found_.crossings.size()) >= task_.crossings;
+        return at_sky() || (falls_ && (all || here_[kU].value > kNearest * flow_.innermost()));
     }
 
     void take(const RayState& end, const RayState& rate, double length) {
@@ -143,21 +147,16 @@ private:
         height_ = after, here_ = end;
     }
 
-    // By regula falsi (Illinois), then one step of Newton's in duals: the place where the height is 0, whatever the seeds.
+    // By Newton's steps within a bracket, the last ones in duals: the place where the height is 0, whatever the seeds.
     void cross(const RayState& rate, double length, double after) {
-        double low = 0, high = length, at_low = height_, at_high = after, at = length;
-        if (std::fabs(height(here_)) < kInPlane) at_low = std::copysign(1.0, height_);
+        double low = 0, high = length, at = length * std::clamp(height_ / (height_ - after), 0.01, 0.99);
         RayState there = here_;
-        for (int tries = 0; tries < 60; ++tries) {
-            at = (low * at_high - high * at_low) / (at_high - at_low);
+        for (int tries = 0; tries < kMostTries; ++tries) {
             there = stepped(rate, at);
-            const double now = height(there);
-            if (std::fabs(now) < kOnPlane || high - low < kOnPlane * length) break;
-            if ((now > 0) == (at_high > 0)) {
-                high = at, at_high = now, at_low *= 0.5;
-            } else {
-                low = at, at_low = now, at_high *= 0.5;
-            }
+            const double now = height(there), move = -now / dot(normal_, speed(there, slope(there))).value;
+            if (std::fabs(move) < kAtCrossing * length) break;
+            ((now > 0) == (after > 0) ? high : low) = at;
+            at = at + move > low && at + move < high ? at + move : 0.5 * (low + high);
         }
         for (int newton = 0; newton < 2; ++newton) there = on_plane(there);
         const Triple place = place_of(there);
@@ -170,12 +169,14 @@ private:
 
     RayState on_plane(const RayState& s) const {
         const RayState rate = slope(s);
-        const Triple place = place_of(s);
-        const Triple drift = {rate[kN] - rate[kDragged] * s[kN + 1], rate[kN + 1] + rate[kDragged] * s[kN],
-                              rate[kN + 2]};
-        const Number c = cos(s[kDragged]), i = sin(s[kDragged]);
-        const Triple speed = {c * drift[0] - i * drift[1], i * drift[0] + c * drift[1], drift[2]};
-        return moved(s, rate, -(dot(normal_, place) / dot(normal_, speed)));
+        return moved(s, rate, -(dot(normal_, place_of(s)) / dot(normal_, speed(s, rate))));
+    }
+    // Of place_of.
+    static Triple speed(const RayState& s, const RayState& rate) {
+        RayState drift = s;
+        drift[kN] = rate[kN] - rate[kDragged] * s[kN + 1];
+        drift[kN + 1] = rate[kN + 1] + rate[kDragged] * s[kN], drift[kN + 2] = rate[kN + 2];
+        return place_of(drift);
     }
 
     void reach_sky() {
@@ -192,6 +193,7 @@ private:
     Triple normal_;
     Photon photon_;
     RayState here_;
+    bool falls_ = false;
     double height_ = 0;  // over the plane, before the next step
     RayGradient found_;
 };
@@ -209,34 +211,32 @@ double least_place(const Function& value, double low, double high) {
     return 0.5 * (low + high);
 }
 
-// Where U has a least value that is nearly 0, light nearly stays. That value over how fast it grows as the view turns.
-double Tracer::off_critical() const {
+// Where U has a least value that is nearly 0, light nearly stays. That value over how fast it grows as the view turns. And what has U > 0 all the
+// way in falls in.
+void Tracer::survey() {
     constexpr int kPlaces = 128;
-    const double most = flow_.innermost();
-    const auto u_at = [&](double share) { return most * share; };
-    const auto value = [&](double share) { return flow_.radial(photon_, Number(u_at(share))).value; };
-    double least = std::numeric_limits<double>::infinity(), before = value(0.5 / kPlaces), here = value(1.5 / kPlaces);
+    const double most = flow_.innermost(), from = here_[kU].value;
+    const auto value = [&](double u) { return flow_.radial(photon_, Number(u)).value; };
+    falls_ = here_[kW].value > 0 && value(most) > 0;
+    double before = value(0.5 * most / kPlaces), here = value(1.5 * most / kPlaces);
     for (int i = 2; i < kPlaces; ++i) {
-        const double after = value((i + 0.5) / kPlaces);
+        const double after = value((i + 0.5) * most / kPlaces);
         if (here <= before && here <= after) {
-            const Number deepest =
-                flow_.radial(photon_, Number(u_at(least_place(value, (i - 1.5) / kPlaces, (i + 0.5) / kPlaces))));
-            least =
-                std::min(least, std::fabs(deepest.value) / std::hypot(deepest.d[kSeedAside], deepest.d[kSeedAcross]));
+            const double u = least_place(value, (i - 1.5) * most / kPlaces, (i + 0.5) * most / kPlaces);
+            const Number deepest = flow_.radial(photon_, Number(u));
+            found_.off_critical =
+                std::min(found_.off_critical,
+                         std::fabs(deepest.value) / std::hypot(deepest.d[kSeedAside], deepest.d[kSeedAcross]));
+            falls_ = falls_ && (u < from || deepest.value > 0);
         }
         before = here, here = after;
     }
-    return least;
 }
 
 }  // namespace
 
 RayGradient ray_gradient(const Flow& flow, const Launch& from, const GradientTask& task) {
-    Tracer tracer(flow, from, task);
-    const double off = tracer.off_critical();
-    RayGradient found = tracer.traced();
-    found.off_critical = off;
-    return found;
+    return Tracer(flow, from, task).traced();
 }
 
 }  // namespace nullscope
