@@ -11,8 +11,9 @@
 namespace nullscope::cli {
 namespace {
 
-constexpr double kNear = 0.1;    // of a pixel
-constexpr double kFound = 1e-7;  // of the ray's own values
+constexpr double kNear = 0.1;        // of a pixel
+constexpr double kAtHorizon = 1e-5;  // of its radius
+constexpr double kFound = 1e-7;      // of the ray's own values
 
 bool agree(double found, double known, double size) { return std::fabs(found - known) <= kFound * size; }
 
@@ -67,7 +68,8 @@ Result<RayDerivatives> DerivativeTracer::derivatives(const RayQuery& ray, const 
         put(true, derivative(found.g, by));
         put(sky && std::isfinite(record.delay), sky ? derivative(found.sky->delay, by) : 0.0);
         for (std::size_t k = 0; k < static_cast<std::size_t>(crossings_); ++k) {
-            const bool there = k < std::min(record.crossings.size(), found.crossings.size());
+            const bool there = k < std::min(record.crossings.size(), found.crossings.size()) &&
+                               record.crossings[k].r * flow_->innermost() >= 1 + kAtHorizon;
             put(there, there ? derivative(found.crossings[k].r, by) : 0.0);
             put(there, there ? derivative_of_azimuth(found.crossings[k].phi, by) : 0.0);
         }
@@ -86,8 +88,14 @@ DerivativeState DerivativeTracer::state_of(const RayGradient& found, const RayRe
     }
     bool edge = found.off_critical < turn;
     const std::size_t crossings = std::min(record.crossings.size(), static_cast<std::size_t>(crossings_));
-    same = same && found.crossings.size() >= crossings;
     for (std::size_t k = 0; same && k < crossings; ++k) {
+        // Next to the horizon rays about a rotating hole cross a leaning plane without end.
+        if (record.crossings[k].r * flow_->innermost() < 1 + kAtHorizon) {
+            edge = true;
+            break;
+        }
+        same = k < found.crossings.size();
+        if (!same) break;
         const Number& r = found.crossings[k].r;
         same = agree(r.value, record.crossings[k].r, record.crossings[k].r);
         edge =

@@ -14,7 +14,7 @@
 namespace nullscope::cli {
 
 // kEdge: within a tenth of a pixel of the scene's camera from the critical curve or, at a crossing, from a rim of the disc: they hold for less
-// than that. kLost: there are none, since the ray is not found again to 1e-7.
+// than that; or a crossing is within 1e-5 of the horizon, of which there are none. kLost: there are none, since the ray is not found again to 1e-7.
 enum class DerivativeState { kThere, kEdge, kLost };
 inline constexpr const char* kDerivativeStates[] = {"yes", "edge", "lost"};
 

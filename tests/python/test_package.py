@@ -267,6 +267,25 @@ class Rays(Test):
         with self.assertWarnsRegex(UserWarning, "1 of 1 rays have no curve"):
             self.assertTrue(np.isnan(ns.trace_curves("kerr", {**some_rays(1), "r": 200.0, "n_r": 1.0}, 3)["r"]).all())
 
+    def test_gradients_are_those_of_the_command_line(self):
+        path, out, rays = self.folder / "rays.csv", self.folder / "out.csv", some_rays(20, r=9.0)
+        write_csv(path, rays)
+        for scene, names in (("kerr", ["spin", "camera.theta"]), ("accretion", ["camera.r"])):
+            found = ns.gradient(scene, rays, names, crossings=1)
+            support.command_line("trace", scene, "--rays", path, "--crossings", 1, "--derivatives", ",".join(names), "-o", out)
+            with open(out, newline="") as file:
+                rows = list(csv.DictReader(file))
+            self.assertEqual(found["state"].tolist(), [row["derivatives"] for row in rows])
+            for name in found.dtype.names[1:]:
+                self.assertTrue(np.array_equal(found[name], [float(row[name] or "nan") for row in rows], equal_nan=True), f"{scene} {name}")
+            self.assertEqual(len(found.dtype.names), 1 + 7 * len(names))
+        for call, words in ((lambda: ns.gradient("kerr", rays, ["charge"]), "no derivatives by .charge. of this scene; allowed: spacetime.spin"),
+                            (lambda: ns.gradient("kerr", rays, "spin"), "parameters: of another kind; allowed: a list of texts"),
+                            (lambda: ns.gradient("wormhole", rays, ["camera.r"]), "no derivatives in metric"),
+                            (lambda: ns.gradient("sky-only", {**rays, "frame": "rain"}, ["camera.r"]), r"rays\[0\].*of an observer that falls")):
+            with self.assertRaisesRegex(ns.Error, words):
+                call()
+
     def test_columns_are_read_where_they_are(self):
         rays = some_rays(1000)
         packed = np.zeros(1000, dtype=[("tag", "u1")] + [(name, "f8") for name in rays])   # unaligned

@@ -159,6 +159,14 @@ struct Tally {
     std::string where;
 };
 
+// Next to the horizon rays cross a leaning plane without end.
+bool leave_out_next_to_horizon(Values& known, double horizon) {
+    bool any = false;
+    for (std::size_t k = 5; k < kValues; k += 2)
+        if (known[k] < (1 + 1e-5) * horizon) known[k] = known[k + 1] = kNotANumber, any = true;
+    return any;
+}
+
 bool same_values(const Values& own, const Values& known) {
     for (const std::size_t i : {0, 1, 2, 3, 4, 5, 7})  // azimuths of crossings are compared by their derivatives
         if (std::isfinite(known[i]) &&
@@ -167,10 +175,10 @@ bool same_values(const Values& own, const Values& known) {
     return true;
 }
 
-void compare(ParameterKind kind, const std::string& what, const Values& own, const std::array<Judged, kValues>& judged,
-             Tally& tally) {
+void compare(ParameterKind kind, const std::string& what, const Values& known, const Values& own,
+             const std::array<Judged, kValues>& judged, Tally& tally) {
     for (std::size_t i = 0; i < kValues; ++i) {
-        if (std::isnan(judged[i].value)) continue;
+        if (std::isnan(judged[i].value) || std::isnan(known[i])) continue;
         const double size = std::max(std::fabs(judged[i].value), kLeastSize);
         if (judged[i].error > 0.3 * kBound * size) {
             ++tally.not_judged;
@@ -200,12 +208,14 @@ Tally tally_of(const GradientCase& of, int rays, std::size_t parameters) {
             ++tally.near_edge;
             continue;
         }
-        if (!same_values(values_of(found), reference_values(scene, ray))) ++tally.lost;
+        Values known = reference_values(scene, ray);
+        if (leave_out_next_to_horizon(known, 1 / (*flow)->innermost())) ++tally.near_edge;
+        if (!same_values(values_of(found), known)) ++tally.lost;
         const auto names = parameter_names(scene);
         for (std::size_t n = 0; n < std::min(parameters, names.size()); ++n) {
             const std::string name(names[(n + parameters * static_cast<std::size_t>(tally.rays)) % names.size()]);
             const ParameterKind kind = (*parse_parameters({name}, scene))[0].kind;
-            compare(kind, fmt::format("{} ray {} {}", of.metric, tally.rays, name),
+            compare(kind, fmt::format("{} ray {} {}", of.metric, tally.rays, name), known,
                     derivatives(found, change_by(kind, view, scene)),
                     judgement(kind, std::min(kWidestStep, 0.02 * found.off_critical), scene, ray), tally);
         }
@@ -233,7 +243,7 @@ TEST_CASE("ray gradients: as differences of the reference, or near an edge") {
     for (const GradientCase& of : kGradientCases) {
         const Tally tally = tally_of(of, rays, parameters);
         MESSAGE(
-            fmt::format("{}: {} rays, {} near the critical curve, {} lost; {} derivatives, worst {:.2g}, {} beyond "
+            fmt::format("{}: {} rays, {} near an edge, {} lost; {} derivatives, worst {:.2g}, {} beyond "
                         "what differences tell; {}",
                         of.metric, tally.rays, tally.near_edge, tally.lost, tally.compared, tally.worst,
                         tally.not_judged, tally.where));
