@@ -31,7 +31,7 @@ public:
 
     // d_NAME.x, .y, .z of the direction on the sky, .g, .delay, and of each crossing .r_k, .phi_k
     std::vector<std::string> columns() const;
-    // record: that of the reference. Errors: a ray of another form than the general one, of an observer that falls. Some milliseconds.
+    // record: that of the reference. Errors: a ray of another form than the general one, of an observer that falls. Half a millisecond.
     Result<RayDerivatives> derivatives(const RayQuery& ray, const RayRecord& record) const;
 
 private:

@@ -1,4 +1,4 @@
-// A ray's end and its crossings of the disc's plane with their derivatives by the seeds of flow.h. Error of the derivatives: 1e-9 of their size
+// A ray's end and its crossings of the disc's plane with their derivatives by the seeds of flow.h. Error of the derivatives: 2e-7 of their size or of 0.1
 // (tests/unit/test_ray_gradient.cpp), but for rays so near the critical curve that the ray itself is not known so well.
 #pragma once
 #include <limits>
@@ -31,7 +31,7 @@ struct GradientTask {
     int crossings = 0;  // most
 };
 
-// from: of an observer at rest outside the horizon. Some milliseconds.
+// from: of an observer at rest outside the horizon. Half a millisecond.
 RayGradient ray_gradient(const Flow& flow, const Launch& from, const GradientTask& task);
 
 }  // namespace nullscope
