@@ -57,16 +57,22 @@ Status compare_rays(const CompareOptions& options, const RayFrame& a, const RayF
         scene->camera.width = a.width;
         scene->camera.height = a.height;
     }
-    const double estimate = scene ? 0 : estimated_pixel_angle(b);
-    const RayMeasures m = scene ? measure_ray_frames(a, b, scene->camera, exact_trace(*scene))
-                                : measure_ray_frames(
-                                      a, b, [&](int, int) { return estimate; }, Vec3{});
+    const double estimate = scene ? 0 : std::max(estimated_pixel_angle(b), kFloatDirection_rad);
+    const RayMeasures m =
+        scene ? measure_ray_frames(a, b, scene->camera, exact_trace(*scene), kDisplaceAbove_px, kFloatDirection_rad)
+              : measure_ray_frames(
+                    a, b, [&](int, int) { return estimate; }, Vec3{});
     if (!scene)
         fmt::print(
             "pixel angle assumed {:.4g} rad, the median over the sky of {}; --scene SCENE gives the exact angle and "
             "closer "
             "bounds\n",
             estimate, options.b);
+    if (const double angle = scene ? smallest_pixel_angle(scene->camera) : estimate; angle <= kFloatDirection_rad)
+        fmt::print(
+            "pixels are narrower than {:.2g} rad, to which files hold a direction: that is taken for a pixel along the "
+            "ring\n",
+            kFloatDirection_rad);
     print_spread("forward error", m.forward_rad, "rad");
     print_spread("screen error", m.sky_px, "px");
     print_spread("place on disc", m.place_px, "px");

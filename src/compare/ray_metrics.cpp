@@ -73,8 +73,8 @@ ExactPixel with_neighbours(const Band& band, int x, int y) {
     return exact;
 }
 
-void set_camera(ExactPixel& exact, const CameraSpec& camera, int x, int y) {
-    exact.pixel_angle = pixel_angle(camera, x + 0.5, y + 0.5);
+void set_camera(ExactPixel& exact, const CameraSpec& camera, int x, int y, double least_rad) {
+    exact.pixel_angle = std::max(least_rad, pixel_angle(camera, x + 0.5, y + 0.5));
     exact.camera = camera_place(camera);
 }
 
@@ -114,10 +114,11 @@ std::vector<std::array<RayPixel, 4>> trace_displaced(const ExactTrace& trace,
 }
 
 // moved: rays at displaced(x, y). Those to the left and above serve where the others end differently.
-ExactPixel with_displaced(const CameraSpec& camera, int x, int y, const RayPixel& here, const RayPixel* moved) {
+ExactPixel with_displaced(const CameraSpec& camera, int x, int y, const RayPixel& here, const RayPixel* moved,
+                          double least_rad = 0) {
     ExactPixel exact;
     exact.here = here;
-    set_camera(exact, camera, x, y);
+    set_camera(exact, camera, x, y, least_rad);
     for (const int i : {2, 3, 0, 1}) {
         if (!same_end(moved[i], here)) continue;
         (i % 2 == 0 ? exact.right : exact.down) = moved[i];
@@ -129,8 +130,9 @@ ExactPixel with_displaced(const CameraSpec& camera, int x, int y, const RayPixel
 // Pixels of one frame against an exact trace.
 class Judge {
 public:
-    Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, double refine_above_px)
-        : tested_(tested), camera_(camera), trace_(trace), refine_above_px_(refine_above_px) {}
+    Judge(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, double refine_above_px,
+          double least_rad)
+        : tested_(tested), camera_(camera), trace_(trace), refine_above_px_(refine_above_px), least_rad_(least_rad) {}
 
     // Compares the pixels of rectangles; on all cores, or on the calling thread alone.
     std::vector<TileErrors> tiles(const std::vector<PixelRect>& rects, bool parallel) const {
@@ -167,7 +169,7 @@ private:
         const auto judge_row = [&](int y) {
             for (int x = rect.left; x < rect.right; ++x) {
                 ExactPixel exact = with_neighbours(band, x, y);
-                set_camera(exact, camera_, x, y);
+                set_camera(exact, camera_, x, y, least_rad_);
                 tile.at(x, y) = pixel_errors(tested_.at(x, y), exact);
             }
         };
@@ -190,7 +192,8 @@ private:
         const auto moved = trace_displaced(trace_, pixels, heres);
         const auto judge_one = [&](std::size_t i) {
             const auto [x, y] = pixels[i];
-            *errors[i] = pixel_errors(tested_.at(x, y), with_displaced(camera_, x, y, heres[i], moved[i].data()));
+            *errors[i] =
+                pixel_errors(tested_.at(x, y), with_displaced(camera_, x, y, heres[i], moved[i].data(), least_rad_));
         };
         if (parallel)
             tbb::parallel_for(std::size_t{0}, pixels.size(), judge_one);
@@ -235,7 +238,7 @@ private:
     const RayFrame& tested_;
     const CameraSpec& camera_;
     const ExactTrace& trace_;
-    double refine_above_px_;
+    double refine_above_px_, least_rad_;
 };
 
 void summarise(const RayFrame& tested, RayMeasures& m) {
@@ -284,9 +287,9 @@ ExactPixel exact_pixel(const CameraSpec& camera, const ExactTrace& trace, int x,
 }
 
 RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step,
-                         double refine_above_px) {
+                         double refine_above_px, double least_rad) {
     RayMeasures measures = empty_measures(tested);
-    const Judge judge(tested, camera, trace, refine_above_px);
+    const Judge judge(tested, camera, trace, refine_above_px, least_rad);
     const int step = std::max(row_step, tested.row_step), rows = step == 1 ? kBandRows : 1;
     for (int y = 0; y < tested.height; y += std::max(rows, step)) {
         const TileErrors band = judge.tiles({{0, y, tested.width, std::min(y + rows, tested.height)}}, true).front();
@@ -299,7 +302,7 @@ RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const
 
 std::vector<TileErrors> measure_tiles(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace,
                                       const std::vector<PixelRect>& rects, double refine_above_px) {
-    return Judge(tested, camera, trace, refine_above_px).tiles(rects, false);
+    return Judge(tested, camera, trace, refine_above_px, 0).tiles(rects, false);
 }
 
 namespace {
@@ -337,9 +340,9 @@ RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
 }
 
 RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact, const CameraSpec& camera,
-                               const ExactTrace& trace, double refine_above_px) {
-    RayMeasures measures = errors_by_neighbours(
-        tested, exact, [&](int x, int y) { return pixel_angle(camera, x + 0.5, y + 0.5); }, camera_place(camera));
+                               const ExactTrace& trace, double refine_above_px, double least_rad) {
+    const auto angle_of = [&](int x, int y) { return std::max(least_rad, pixel_angle(camera, x + 0.5, y + 0.5)); };
+    RayMeasures measures = errors_by_neighbours(tested, exact, angle_of, camera_place(camera));
     std::vector<PixelErrors*> doubts;
     for (PixelErrors& errors : measures.pixels)
         if (errors.end == RayEnd::kSame && errors.worst_px() > refine_above_px) doubts.push_back(&errors);
@@ -360,7 +363,7 @@ RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact, co
     for (std::size_t i = 0; i < doubts.size(); ++i) {
         const RayPixel* pixels = traced.data() + 5 * i;
         const int x = static_cast<int>(positions[5 * i][0]), y = static_cast<int>(positions[5 * i][1]);
-        const ExactPixel pixel = with_displaced(camera, x, y, pixels[0], pixels + 1);
+        const ExactPixel pixel = with_displaced(camera, x, y, pixels[0], pixels + 1, least_rad);
         if (same_in_float(pixel.here, exact.at(x, y)) ||
             pixel_errors(exact.at(x, y), pixel).worst_px() <= refine_above_px)
             *doubts[i] = pixel_errors(tested.at(x, y), pixel);

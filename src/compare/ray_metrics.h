@@ -22,6 +22,10 @@ inline constexpr double kDisplaceAbove_px = 1e-3, kDisplaced_px = 1e-4;
 // Exact rays at any positions (column, row from the top, centres at +0.5): the reference, or a stand-in of a test.
 using ExactTrace = std::function<std::vector<RayPixel>(const std::vector<std::array<double, 2>>& positions)>;
 
+// What floats hold of a direction, rad. Of frames that went through floats pass it as least_rad: a pixel counts as at least as wide. In zooms
+// a pixel spans less, and along the ring, where the answer hardly moves, no float can have it to a pixel.
+inline constexpr double kFloatDirection_rad = 0x1p-23;
+
 struct RayMeasures {
     int width = 0, height = 0, row_step = 1;  // as of the frame that was measured
     std::vector<PixelErrors> pixels;          // top row first
@@ -35,7 +39,7 @@ struct RayMeasures {
 // where that leaves more than refine_above_px, from displaced rays. Memory: 24 bytes a pixel and 64 rows of exact
 // pixels; cost: that of the trace and some 0.2 core-microseconds a pixel.
 RayMeasures measure_rays(const RayFrame& tested, const CameraSpec& camera, const ExactTrace& trace, int row_step = 1,
-                         double refine_above_px = kDisplaceAbove_px);
+                         double refine_above_px = kDisplaceAbove_px, double least_rad = 0);
 
 // The same, number by number, of the pixels of rectangles of the frame, on the calling thread alone. Costs the rays of each
 // rectangle and of one pixel around it, corners apart: five for a single pixel. Those of all are asked for at once.
@@ -65,7 +69,8 @@ RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact,
 // pixel, of the kMostDisplaced worst at most: the others keep what their neighbours say.
 inline constexpr std::size_t kMostDisplaced = 20000;
 RayMeasures measure_ray_frames(const RayFrame& tested, const RayFrame& exact, const CameraSpec& camera,
-                               const ExactTrace& trace, double refine_above_px = kDisplaceAbove_px);
+                               const ExactTrace& trace, double refine_above_px = kDisplaceAbove_px,
+                               double least_rad = 0);
 
 Vec3 camera_place(const CameraSpec& camera);
 
