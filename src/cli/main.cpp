@@ -11,6 +11,7 @@
 #include "base/credits.h"
 #include "base/text.h"
 #include "cli/command.h"
+#include "command/session.h"
 #include "version/version.h"
 
 namespace nullscope::cli {
@@ -34,6 +35,7 @@ int report_unwritable_output() {
 
 int main(int argc, char** argv) {
     nullscope::clean_up_on_signals();
+    nullscope::cli::name_driver_at_death("nullscope");
     using namespace nullscope::cli;
     nullscope::Command program(
         "nullscope",

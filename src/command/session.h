@@ -1,22 +1,23 @@
 // What every subcommand that draws needs: a headless context and the renderer on it, in the right order of life and death.
 #pragma once
 #include <memory>
-#include <string>
 
 #include "base/result.h"
 #include "context/context.h"
+#include "gl/driver_death.h"
 #include "gl/gl.h"
 #include "render/renderer.h"
 
 namespace nullscope::cli {
+
+using gl::name_driver_at_death;  // for main()
 
 struct Session {
     std::unique_ptr<GlContext> context;
     std::unique_ptr<Renderer> renderer;  // dies first
 };
 
-// context: auto, egl, osmesa.
-inline Result<Session> open_session(const std::string& context) {
+inline Result<Session> open_session(const ContextChoice& context) {
     TRY(made, make_headless_context(context));
     Session session;
     session.context = std::move(*made);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 
+#include "gl/driver_death.h"
 #include "gl/gl.h"
 
 namespace nullscope::gl {
@@ -26,6 +27,7 @@ void load_functions(void (*(*get_proc_address)(const char*, void*))(), void* use
     if (version < GLAD_MAKE_VERSION(3, 3))
         fail(fmt::format("OpenGL 3.3 is needed; this driver has {}.{} ({})", GLAD_VERSION_MAJOR(version),
                          GLAD_VERSION_MINOR(version), info().renderer));
+    remember_driver(info().renderer.c_str(), info().version.c_str());
     prepare_context();
 }
 

@@ -9,6 +9,7 @@
 #include "base/command_line.h"
 #include "base/manual.h"
 #include "base/text.h"
+#include "gl/driver_death.h"
 #include "version/version.h"
 #include "viewer/panel.h"
 #include "viewer/viewer.h"
@@ -80,6 +81,7 @@ Command program_of(viewer::ViewerOptions& options, std::string& size, std::strin
 
 int main(int argc, char** argv) {
     nullscope::clean_up_on_signals();
+    nullscope::gl::name_driver_at_death("nullscope-viewer");
     constexpr int kFramesOfScreenshot = 4;  // panels have found their size by then
     viewer::ViewerOptions options;
     std::string size, manual;
