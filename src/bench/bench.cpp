@@ -32,7 +32,7 @@ Status Bench::prepare(const Scene& scene, const Scene& other_scene) const {
     return other->prepare(other_scene);
 }
 
-Result<Bench> open_bench(const std::string& context, int width, int height) {
+Result<Bench> open_bench(const ContextChoice& context, int width, int height) {
     TRY(session, open_session(context));
     return Bench{std::move(*session), std::make_unique<Renderer>(), gl::make_target(width, height, gl::Format::kRgba8)};
 }

@@ -24,7 +24,8 @@ void add_bench_rays(Command& bench);
 
 struct BenchOptions {
     std::vector<std::string> scenes;
-    std::string size = "1280x720", context = "auto", json;
+    std::string size = "1280x720", json;
+    ContextChoice context;
     int frames = 21;
 };
 void size_option(Command& command, BenchOptions& options);
@@ -53,7 +54,7 @@ struct Bench {
     std::vector<Samples> time_in_turn(
         int frames, const Draws& more = {}, const std::function<void()>& after_round = [] {}) const;
 };
-Result<Bench> open_bench(const std::string& context, int width, int height);
+Result<Bench> open_bench(const ContextChoice& context, int width, int height);
 Result<Bench> open_bench(const BenchOptions& options);
 
 double median(std::vector<double> values);
@@ -67,7 +68,7 @@ struct EffectCost {
 };
 
 // Of each effect of a scene that can go alone, at the scene's size. Errors: no context, what prepare() says.
-Result<std::vector<EffectCost>> effect_costs(const Scene& scene, const std::string& context, int frames);
+Result<std::vector<EffectCost>> effect_costs(const Scene& scene, const ContextChoice& context, int frames);
 
 // nullscope bench frames --effects: prints one line an effect and writes the rows. Every effect is drawn in turn with
 // the scene without it. Errors: no context, a file that cannot be written.

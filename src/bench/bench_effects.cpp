@@ -30,7 +30,7 @@ EffectCost cost_of(const Bench& bench, Renderer& with, Effect effect, int frames
 
 }  // namespace
 
-Result<std::vector<EffectCost>> effect_costs(const Scene& scene, const std::string& context, int frames) {
+Result<std::vector<EffectCost>> effect_costs(const Scene& scene, const ContextChoice& context, int frames) {
     TRY(bench, open_bench(context, scene.camera.width, scene.camera.height));
     TRY(empty, bench->renderer().prepare(empty_scene(scene.camera.width, scene.camera.height)));
     Renderer with;

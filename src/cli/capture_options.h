@@ -16,7 +16,8 @@ namespace nullscope::cli {
 
 // What nullscope capture was asked for.
 struct CaptureOptions : DrawOptions {
-    std::string scene, split, output = "frame.png", size, context = "auto", renderer = "gl", method = "auto", frames;
+    std::string scene, split, output = "frame.png", size, renderer = "gl", method = "auto", frames;
+    ContextChoice context;
     std::optional<double> time;
     double time_step = 0;
     std::optional<int> time_frame;  // that has the scene's time

@@ -13,7 +13,7 @@
 
 #include "base/atomic_file.h"
 #include "base/text.h"
-#include "cli/child.h"
+#include "command/child.h"
 
 namespace nullscope::cli {
 namespace {

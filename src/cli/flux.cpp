@@ -29,7 +29,8 @@ constexpr double kLeastFlux = 1e-12, kMostFlux = 1e12;  // Jy
 
 struct FluxOptions {
     std::vector<std::string> set;  // scenefile/scene_override.h
-    std::string scene, output, size, context = "auto", renderer = "gl";
+    std::string scene, output, size, renderer = "gl";
+    ContextChoice context;
     std::optional<double> target;  // Jy
     std::optional<int> samples;    // reference alone
     double tolerance = 1e-4;       // relative to target

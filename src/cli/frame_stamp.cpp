@@ -55,7 +55,7 @@ std::string frame_stamp(const StampInput& input) {
     if (options.renderer == "reference") {
         text += fmt::format("--samples = {}\n", options.samples.value_or(kSamples));
     } else {
-        text += fmt::format("--context = {}\n--method = {}\n", options.context, input.method);
+        text += fmt::format("--context = {}\n--method = {}\n", options.context.kind, input.method);
         text += fmt::format("--tiles = {}\n", options.tiles);
         if (options.stage != CaptureOptions{}.stage) text += fmt::format("--stage = {}\n", options.stage);
         text += fmt::format("--largest-texture = {}\n", options.largest_texture.value_or(0));

@@ -31,7 +31,8 @@ namespace {
 
 struct LightcurveOptions {
     std::vector<std::string> set;  // scenefile/scene_override.h
-    std::string scene, output = "lightcurve", size, context = "auto", renderer = "gl";
+    std::string scene, output = "lightcurve", size, renderer = "gl";
+    ContextChoice context;
     std::vector<int> region;  // x, y of the first pixel, x, y behind the last
     std::optional<double> from, to;
     std::optional<int> samples;  // reference alone

@@ -22,6 +22,7 @@ struct PlanOptions {
     std::vector<std::string> set;  // scenefile/scene_override.h
     std::string scene;
     bool json = false, measure = false;
+    ContextChoice context;
     int frames = 9;
 };
 
@@ -164,10 +165,12 @@ Json json_of(const Plan& plan) {
 Result<int> run_plan(const PlanOptions& options) {
     TRY(scene, asked_scene(options));
     TRY(plan, make_plan(*scene));
+    if (!options.measure && !options.context.is_auto())
+        return bad_input(fmt::format("{}: nothing is drawn", option_of(options.context)), "with --measure");
     if (options.measure) {
-        TRY(costs, effect_costs(*scene, "auto", options.frames));
+        TRY(costs, effect_costs(*scene, options.context, options.frames));
         plan->costs = std::move(*costs);
-        TRY(session, open_session("auto"));
+        TRY(session, open_session(options.context));
         TRY(ready, session->renderer->prepare(*scene));
         plan->stage = choose_stage(*session->renderer, scene->camera.width, scene->camera.height);
     }
@@ -191,6 +194,7 @@ void add_plan(Command& parent) {
     command.add_flag("--measure", &options.measure,
                      "Draw the scene with and without each effect, and show what the effect costs");
     number_option(command, "--frames", options.frames, 3, 1000, "Frames of each kind").needs("--measure");
+    context_option(command, options.context, "OpenGL context of --measure: auto, egl, osmesa");
 }
 
 }  // namespace nullscope::cli

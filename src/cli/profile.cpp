@@ -33,7 +33,8 @@ namespace {
 
 struct ProfileOptions {
     std::vector<std::string> set;  // scenefile/scene_override.h
-    std::string scene, output = "profile", size, through, context = "auto", renderer = "gl";
+    std::string scene, output = "profile", size, through, renderer = "gl";
+    ContextChoice context;
     double angle = 0;
     std::optional<double> time;
     std::optional<int> steps, samples;

@@ -46,7 +46,9 @@ Result<std::map<std::string, std::string>> origin_words(const TableOrigin& origi
 std::string GivenWords::words() const {
     std::string out;
     for (const auto& option : command_->options()) {
-        if (!option->names.starts_with("--") || option->names == "--context" || !has(option->names)) continue;
+        if (!option->names.starts_with("--") || option->names == "--context" || option->names == "--device" ||
+            !has(option->names))
+            continue;
         out += (out.empty() ? "" : " ") + option->names + words_of_target(option->target);
     }
     return out;

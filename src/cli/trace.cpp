@@ -53,7 +53,7 @@ Status check_curve_options(const Options& options) {
         return Done{};
     }
     if (options.points == 1) return bad_input("--points 1: one point is no curve", "[2, 100000]");
-    if (options.with != "reference" || options.method != "auto" || options.context != "auto")
+    if (options.with != "reference" || options.method != "auto" || !options.context.is_auto())
         return bad_input("--points: curves are the reference's", "--with reference, without --method and --context");
     if (options.crossings > 0) return bad_input("--points: not with --crossings", "one of them");
     if (ends_in_obj(options.output) && options.form.rates)

@@ -212,7 +212,7 @@ Result<int> measured(const VisibilityOptions& options, const SeenSky& sky, Visib
 }
 
 Result<int> run_on_image(const VisibilityOptions& options) {
-    for (const char* name : {"--size", "--time", "--renderer", "--samples", "--context", "--rings"})
+    for (const char* name : {"--size", "--time", "--renderer", "--samples", "--context", "--device", "--rings"})
         if (options.given.has(name))
             return bad_input(fmt::format("{}: --image is a picture as it is", name), "with a scene");
     TRY(fits, load_fits(options.image));

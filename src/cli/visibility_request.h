@@ -13,7 +13,8 @@ namespace nullscope::cli {
 
 struct VisibilityOptions {
     std::vector<std::string> set;  // scenefile/scene_override.h
-    std::string scene, image, output = "visibility", size, context = "auto", renderer = "gl";
+    std::string scene, image, output = "visibility", size, renderer = "gl";
+    ContextChoice context;
     std::string baselines, array, pixel = "point", scattering = "none";
     std::vector<std::string> radial, hours, source;
     std::optional<double> time, frequency_GHz;

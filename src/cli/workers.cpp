@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/child.h"
+#include "command/child.h"
 
 namespace nullscope::cli {
 namespace {
@@ -34,11 +34,7 @@ void tell(int pipe, Kind kind, int frame, const std::string& text) {
     const Message message{kind, frame, static_cast<int>(text.size())};
     std::string bytes(reinterpret_cast<const char*>(&message), sizeof message);
     bytes += text;
-    for (std::size_t at = 0; at < bytes.size();) {
-        const ssize_t count = ::write(pipe, bytes.data() + at, bytes.size() - at);
-        if (count < 0 && errno != EINTR) return;
-        if (count > 0) at += static_cast<std::size_t>(count);
-    }
+    write_all(pipe, bytes);
 }
 
 // Exceptions as main() reads them.

@@ -9,6 +9,7 @@
 #include "base/command_line.h"
 #include "base/result.h"
 #include "command/arguments.h"
+#include "context/context.h"
 #include "scenefile/key_place.h"
 #include "scenefile/scene_file.h"
 
@@ -66,16 +67,21 @@ Result<Scene> asked_scene(const Options& options) {
     return std::move(*scene);
 }
 
-// --context of what draws; help says what for.
-inline void context_option(Command& command, std::string& context,
+// --context and --device of what draws; help says what for.
+inline void context_option(Command& command, ContextChoice& context,
                            const char* help = "OpenGL context: auto, egl, osmesa") {
-    text_option(command, "--context", context, help, {"auto", "egl", "osmesa"});
+    text_option(command, "--context", context.kind, help, {"auto", "egl", "osmesa"});
+    command.add_option("--device", &context.device, "OpenGL device, by its number in: nullscope devices")
+        .in_range(0, 1000);
 }
 
+inline const char* option_of(const ContextChoice& context) { return context.device ? "--device" : "--context"; }
+
 // Errors: bad input, where options are of the other renderer than that of renderer_option().
-inline Status check_context(const std::string& renderer, const std::string& context) {
-    if (renderer == "reference" && context != "auto")
-        return bad_input("--context: the reference tracer does not use OpenGL", "with --renderer gl");
+inline Status check_context(const std::string& renderer, const ContextChoice& context) {
+    if (renderer == "reference" && !context.is_auto())
+        return bad_input(fmt::format("{}: the reference tracer does not use OpenGL", option_of(context)),
+                         "with --renderer gl");
     return Done{};
 }
 inline Status check_samples_of_reference(const std::string& renderer, bool samples) {

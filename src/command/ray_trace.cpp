@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "command/options.h"
 #include "command/shader_rays.h"
 #include "observer/pose.h"
 #include "reference/disc_light.h"
@@ -115,8 +116,9 @@ std::vector<CrossingColumn> crossing_columns(const Scene& scene, const Spacetime
 
 Status trace_rays(const Scene& scene, const Spacetime& spacetime, std::span<const RayQuery> rays,
                   const TraceOptions& options, const TraceOutput& output) {
-    if (options.with != "gl" && options.context != "auto")
-        return bad_input(fmt::format("--context: --with {} does not use OpenGL", options.with), "--with gl");
+    if (options.with != "gl" && !options.context.is_auto())
+        return bad_input(fmt::format("{}: --with {} does not use OpenGL", option_of(options.context), options.with),
+                         "--with gl");
     if (options.with == "reference" && options.method != "auto")
         return bad_input("--method: the reference tracer has its own", "--with gl");
     if (options.with != "gl" && options.stage != TraceOptions{}.stage)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "context/context.h"
 #include "scene/ray.h"
 #include "scene/scene.h"
 #include "spacetime/spacetime.h"
@@ -14,10 +15,11 @@
 namespace nullscope::cli {
 
 struct TraceOptions {
-    std::string with = "reference";                 // core64, core32, gl
-    std::string method = "auto", context = "auto";  // of gl
-    int crossings = 0;                              // of the equatorial plane, to list
-    std::string stage = "fragment";                 // of gl: or compute
+    std::string with = "reference";  // core64, core32, gl
+    std::string method = "auto";     // of gl
+    ContextChoice context{};         // of gl
+    int crossings = 0;               // of the equatorial plane, to list
+    std::string stage = "fragment";  // of gl: or compute
 };
 
 // What becomes of the rays, in any order. Lengths are in r_s: Spacetime::length_unit divides them out again.

@@ -5,19 +5,20 @@
 
 #include "base/result.h"
 #include "command/ray_trace.h"
+#include "context/context.h"
 #include "scene/scene.h"
 #include "shaderlib/method.h"
 
 namespace nullscope::cli {
 
 struct ShaderRun {
-    std::string tracer;            // core64, core32 or gl
-    Method method;                 // of gl; the C++ core has the strip only
-    std::string context = "auto";  // of gl, as in open_session
-    bool compute = false;          // of gl: by compute shaders, where the driver has them
-    int crossings = 0;             // of the equatorial plane, to find
-    bool shifts = false;           // and what frequency light has in the disc's matter there
-    bool polarised = false;        // and how it is polarised, in a scene with shifts
+    std::string tracer;       // core64, core32 or gl
+    Method method;            // of gl; the C++ core has the strip only
+    ContextChoice context{};  // of gl
+    bool compute = false;     // of gl: by compute shaders, where the driver has them
+    int crossings = 0;        // of the equatorial plane, to find
+    bool shifts = false;      // and what frequency light has in the disc's matter there
+    bool polarised = false;   // and how it is polarised, in a scene with shifts
 };
 
 // A ray is left out whose camera cannot stand in a static frame outside the horizon (or lies beyond kFarthestCamera). Of a record these

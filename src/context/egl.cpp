@@ -1,5 +1,7 @@
 // EGL: every device of EGL_EXT_platform_device in turn, then Mesa's surfaceless platform, then the default display.
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -22,6 +24,7 @@ constexpr EGLint kNone = 0x3038, kRenderableType = 0x3040, kOpenglBit = 0x0008, 
                  kExtensions = 0x3055;
 constexpr EGLint kMajorVersion = 0x3098, kMinorVersion = 0x30FB, kProfileMask = 0x30FD, kCoreProfileBit = 0x0001;
 constexpr unsigned kOpenglApi = 0x30A2, kPlatformDevice = 0x313F, kPlatformSurfaceless = 0x31DD;
+constexpr EGLint kDrmDeviceFile = 0x3233;
 
 struct Egl {
     void* (*get_proc_address)(const char*) = nullptr;
@@ -36,6 +39,7 @@ struct Egl {
     const char* (*query_string)(EGLDisplay, EGLint) = nullptr;
     EGLDisplay (*get_platform_display)(unsigned, void*, const EGLint*) = nullptr;
     EGLBoolean (*query_devices)(EGLint, EGLDevice*, EGLint*) = nullptr;
+    const char* (*query_device_string)(EGLDevice, EGLint) = nullptr;
 };
 
 const Egl* egl() {
@@ -57,6 +61,8 @@ const Egl* egl() {
         e.get_platform_display =
             reinterpret_cast<decltype(e.get_platform_display)>(e.get_proc_address("eglGetPlatformDisplayEXT"));
         e.query_devices = reinterpret_cast<decltype(e.query_devices)>(e.get_proc_address("eglQueryDevicesEXT"));
+        e.query_device_string =
+            reinterpret_cast<decltype(e.query_device_string)>(e.get_proc_address("eglQueryDeviceStringEXT"));
         return true;
     }();
     return ok ? &e : nullptr;
@@ -81,43 +87,84 @@ private:
     EGLContext context_;
 };
 
-std::unique_ptr<GlContext> context_on(EGLDisplay display) {
+Result<std::unique_ptr<GlContext>> context_on(EGLDisplay display) {
     const Egl& e = *egl();
-    if (display == nullptr || !e.initialize(display, nullptr, nullptr) || !e.bind_api(kOpenglApi)) return nullptr;
+    if (display == nullptr || !e.initialize(display, nullptr, nullptr)) return failed("EGL cannot begin there");
+    if (!e.bind_api(kOpenglApi)) return failed("no OpenGL, perhaps OpenGL ES alone");
     const std::array<EGLint, 5> wanted = {kRenderableType, kOpenglBit, kSurfaceType, 0, kNone};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!e.choose_config(display, wanted.data(), &config, 1, &count) || count < 1) return nullptr;
+    if (!e.choose_config(display, wanted.data(), &config, 1, &count) || count < 1)
+        return failed("no configuration for OpenGL");
     const std::array<EGLint, 7> attributes = {kMajorVersion, 3, kMinorVersion, 3, kProfileMask, kCoreProfileBit, kNone};
     EGLContext context = e.create_context(display, config, nullptr, attributes.data());
-    if (context == nullptr) return nullptr;
+    if (context == nullptr) return failed("no OpenGL 3.3 core context");
     auto result = std::make_unique<EglContext>(display, context);
-    if (!e.make_current(display, nullptr, nullptr, context)) return nullptr;
-    return result;
+    if (!e.make_current(display, nullptr, nullptr, context)) return failed("the context cannot be made current");
+    return std::unique_ptr<GlContext>(std::move(result));
+}
+
+bool has_extension(const char* extensions, const char* name) {
+    return extensions != nullptr && std::strstr(extensions, name) != nullptr;
+}
+
+struct EglPlace {
+    ContextDevice device;
+    unsigned platform;  // 0: the default display's
+    EGLDevice native;
+};
+
+std::vector<EglPlace> egl_places() {
+    const Egl* e = egl();
+    if (e == nullptr) return {};
+    const char* extensions = e->query_string(nullptr, kExtensions);
+    std::vector<EglPlace> places;
+    if (e->get_platform_display != nullptr && e->query_devices != nullptr &&
+        has_extension(extensions, "EGL_EXT_platform_device")) {
+        std::array<EGLDevice, 16> devices{};
+        EGLint count = 0;
+        if (!e->query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count)) count = 0;
+        for (EGLint i = 0; i < count; ++i) {
+            const EGLDevice native = devices[static_cast<std::size_t>(i)];
+            const bool asked = e->query_device_string != nullptr;
+            const bool has_file =
+                asked && has_extension(e->query_device_string(native, kExtensions), "EGL_EXT_device_drm");
+            const char* file = has_file ? e->query_device_string(native, kDrmDeviceFile) : nullptr;
+            places.push_back(
+                {{"egl", fmt::format("device {}", i), file == nullptr ? "" : file}, kPlatformDevice, native});
+        }
+    }
+    if (e->get_platform_display != nullptr && has_extension(extensions, "EGL_MESA_platform_surfaceless"))
+        places.push_back({{"egl", "surfaceless", ""}, kPlatformSurfaceless, nullptr});
+    places.push_back({{"egl", "default display", ""}, 0, nullptr});
+    return places;
+}
+
+Result<std::unique_ptr<GlContext>> context_at(const EglPlace& place) {
+    return context_on(place.platform == 0 ? egl()->get_display(nullptr)
+                                          : egl()->get_platform_display(place.platform, place.native, nullptr));
 }
 
 }  // namespace
 
-Result<std::unique_ptr<GlContext>> make_egl_context() {
-    const Egl* e = egl();
-    if (e == nullptr)
+std::vector<ContextDevice> egl_devices() {
+    std::vector<ContextDevice> devices;
+    for (EglPlace& place : egl_places()) devices.push_back(std::move(place.device));
+    return devices;
+}
+
+Result<std::unique_ptr<GlContext>> make_egl_context(std::optional<int> device) {
+    if (egl() == nullptr)
         return failed("EGL: libEGL.so.1 is not installed (Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri)");
-    const char* extensions = e->query_string(nullptr, kExtensions);
-    const auto has = [&](const char* name) {
-        return extensions != nullptr && std::strstr(extensions, name) != nullptr;
-    };
-    if (e->get_platform_display != nullptr && e->query_devices != nullptr && has("EGL_EXT_platform_device")) {
-        std::array<EGLDevice, 16> devices{};
-        EGLint count = 0;
-        if (e->query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count))
-            for (EGLint i = 0; i < count; ++i)
-                if (auto context = context_on(
-                        e->get_platform_display(kPlatformDevice, devices[static_cast<std::size_t>(i)], nullptr)))
-                    return context;
+    const std::vector<EglPlace> places = egl_places();
+    if (device) {
+        const EglPlace& place = places.at(static_cast<std::size_t>(*device));
+        auto context = context_at(place);
+        if (!context) return failed(fmt::format("EGL, {}: {}", place.device.place, context.error().what));
+        return context;
     }
-    if (e->get_platform_display != nullptr && has("EGL_MESA_platform_surfaceless"))
-        if (auto context = context_on(e->get_platform_display(kPlatformSurfaceless, nullptr, nullptr))) return context;
-    if (auto context = context_on(e->get_display(nullptr))) return context;
+    for (const EglPlace& place : places)
+        if (auto context = context_at(place)) return context;
     return failed(
         "EGL: no device gives an OpenGL 3.3 core context (Debian and Ubuntu: apt install libgl1-mesa-dri for software "
         "rendering)");

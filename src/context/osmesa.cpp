@@ -51,6 +51,8 @@ private:
 
 }  // namespace
 
+bool has_osmesa() { return osmesa() != nullptr; }
+
 Result<std::unique_ptr<GlContext>> make_osmesa_context() {
     if (osmesa() == nullptr)
         return failed(
