@@ -30,7 +30,7 @@ struct DevicesOptions {
 // A scene on a device, judged.
 struct TrialRow {
     std::string scene, failure;
-    double position_px = 0, first_ms = 0, frame_ms = 0;
+    double position_px = 0, first_ms = 0, frame_ms = 0, frame_core_ms = 0;
     long long wrong_fates = 0;
     int picture = 0;  // largest difference to the first device that drew it, of 255
 };
@@ -85,6 +85,7 @@ TrialRow judged(const Scene& scene, const DeviceTrial& trial, const DeviceTrial&
         measure_rays(trial.rays, scene.camera, exact, kTrialRowStep, kDisplaceAbove_px, kFloatDirection_rad);
     row.position_px = std::max(m.sky_px.max, m.place_px.max);
     row.wrong_fates = m.fate_errors, row.first_ms = trial.first_ms, row.frame_ms = trial.frame_ms;
+    row.frame_core_ms = trial.frame_core_ms;
     row.picture = largest_difference(trial.picture, first.picture);
     return row;
 }
@@ -196,7 +197,8 @@ Json json_of(const DeviceRow& row) {
                               {"wrong_fates", t.wrong_fates},
                               {"picture_difference", t.picture},
                               {"first_ms", t.first_ms},
-                              {"frame_ms", t.frame_ms}});
+                              {"frame_ms", t.frame_ms},
+                              {"frame_core_ms", t.frame_core_ms}});
         else
             trial["failure"] = t.failure;
         json["scenes"].push_back(std::move(trial));

@@ -28,8 +28,9 @@ struct DeviceTrial {
     std::string failure{};  // why it did not, or how the driver ended; empty: the others are known
     RayFrame rays{};        // of every kTrialRowStep-th row
     Image<unsigned char> picture{};
-    double first_ms = 0,
-           frame_ms = 0;  // wall: the first picture, with all that is made for it; a later one, the least of three
+    double first_ms = 0;       // wall: the first picture, with all that is made for it
+    double frame_ms = 0;       // wall: a later one, the least of three
+    double frame_core_ms = 0;  // processor time of such a one, of all threads
 };
 inline constexpr int kTrialRowStep = 4;
 
