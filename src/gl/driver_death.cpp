@@ -21,20 +21,19 @@ void say(const char* text) { [[maybe_unused]] const ssize_t written = ::write(ST
 
 const char* words_of(int signal) {
     switch (signal) {
-        case SIGSEGV: return "segmentation fault";
-        case SIGBUS: return "bus error";
-        case SIGILL: return "illegal instruction";
-        case SIGFPE: return "arithmetic fault";
-        default: return "abort";
+        case SIGSEGV: return "a segmentation fault";
+        case SIGBUS: return "a bus error";
+        case SIGILL: return "an illegal instruction";
+        case SIGFPE: return "an arithmetic fault";
+        default: return "abort()";
     }
 }
 
 extern "C" void speak_and_die(int signal) {
     if (driver[0] != '\0') {
-        for (const char* part :
-             std::initializer_list<const char*>{program_name, ": ended by a ", words_of(signal),
-                                                " while the OpenGL driver was in use: ", driver.data(),
-                                                "; nullscope devices --measure tries every driver here\n"})
+        for (const char* part : std::initializer_list<const char*>{
+                 program_name, ": ended by ", words_of(signal), " while the OpenGL driver was in use: ", driver.data(),
+                 "; nullscope devices --measure tries every driver here\n"})
             say(part);
     }
     std::signal(signal, SIG_DFL);
