@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Builds nullscope for arm64 and tests it under qemu: contract and unit tests, rays against the vectors of 50 digits, hard cases, and a dozen
-# pictures, drawn there and here, and compared.
+# Builds nullscope for arm64 and tests it under qemu: contract and unit tests, rays against the vectors of 50 digits, hard cases; a dozen pictures,
+# drawn there and here (build/release), and compared; the places of llvmpipe's rays there against the reference there.
 #
-#   scripts/arm64.sh [STEP...]      STEP: build, contract, unit, vectors, hard, pictures; all of them by default
+#   scripts/arm64.sh [STEP...]      STEP: build, contract, unit, vectors, hard, pictures, positions; all of them by default
 #
 # A Debian of arm64 is put into build/arm64/root, of which nothing is run but libraries; the compiler is this machine's. It needs the packages
 # mmdebstrap, qemu-user-static and crossbuild-essential-arm64: where one is missing, or the root cannot be fetched, a line says so and the
@@ -50,19 +50,16 @@ chmod +x "$there"
 cd "$repository"
 ! wanted contract || { say "contract tests"; qemu-aarch64-static "$bin/contract_tests"; }
 ! wanted unit || { say "unit tests"; qemu-aarch64-static "$bin/unit_tests"; }
-! wanted vectors || { say "vectors"; python3 -B tests/cli/test_trace.py "$there" Trace.test_vectors; }
+! wanted vectors || { say "vectors"; python3 -B tests/cli/test_trace.py "$there" Reference.test_vectors; }
 ! wanted hard || { say "hard cases"; "$there" bench hard --json "$folder/hard.json"; }
 if wanted pictures; then
     here=$repository/build/release/bin/nullscope
-    for where in "$there" "$here"; do
-        to=$folder/$([[ $where == "$there" ]] && echo there || echo here)
-        mkdir -p "$to"
-        say "pictures $to"
-        "$where" devices --measure first-light kerr accretion soft-disc wormhole zoom hot-spot swarm m87 gargantua sky-only plunge \
-            --size 160x90 --limit 1200 --device 0 --pictures "$to" --json >"$to/devices.json"
-    done
-    for picture in "$folder"/here/*.png; do
-        printf '%-18s ' "$(basename "$picture" -0.png)"
-        "$here" compare "$folder/there/$(basename "$picture")" "$picture" | grep '^difference'
+    mkdir -p "$folder/there" "$folder/here"
+    for scene in first-light kerr accretion soft-disc wormhole zoom hot-spot luminet m87 sky-grid plunge saturn; do
+        "$there" capture "$scene" --size 160x90 -o "$folder/there/$scene.png" >/dev/null
+        "$here" capture "$scene" --size 160x90 -o "$folder/here/$scene.png" >/dev/null
+        printf '%-12s ' "$scene"
+        "$here" compare "$folder/there/$scene.png" "$folder/here/$scene.png" | grep '^difference'
     done
 fi
+! wanted positions || { say "positions"; "$there" devices --measure first-light kerr wormhole zoom --size 96x54 --device 0 --limit 600; }

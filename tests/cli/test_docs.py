@@ -119,7 +119,7 @@ own, ffmpeg = (words[:words.index("--")], words[words.index("--"):]) if "--" in 
 if {"viewer" in binary.name}:
     scenes = [word for word in own if not word.startswith("-")][:1]
     sys.exit(subprocess.run([{str(binary.parent / "nullscope")!r}, "plan", *scenes], stdout=subprocess.DEVNULL).returncode if scenes else 0)
-if own[:1] in (["capture"], ["lightcurve"], ["profile"], ["visibility"]) and "--image" not in own:
+if own[:1] in (["capture"], ["lightcurve"], ["profile"], ["visibility"]) and "--image" not in own or "--measure" in own[1:2]:
     if "--size" in own:
         at = own.index("--size") + 1
         sides = [int(side) for side in own[at].split("x")]
