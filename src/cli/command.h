@@ -18,6 +18,7 @@ void add_scenes(Command& parent);
 void add_info(Command& parent);
 void add_devices(Command& parent);
 void add_figure(Command& parent);
+void add_fit(Command& parent);
 void add_flux(Command& parent);
 void add_lightcurve(Command& parent);
 void add_light_time(Command& parent);
@@ -29,9 +30,9 @@ void add_landmarks(Command& parent);
 
 // In the order of nullscope --help.
 inline constexpr void (*kCommands[])(Command&) = {
-    add_capture,    add_frames,  add_study,    add_path,       add_trace,     add_compare, add_bench,
-    add_plan,       add_scenes,  add_info,     add_devices,    add_figure,    add_flux,    add_lightcurve,
-    add_light_time, add_profile, add_spectrum, add_visibility, add_landmarks, add_manual};
+    add_capture,    add_frames,     add_study,   add_path,     add_trace,      add_compare,   add_bench,
+    add_plan,       add_scenes,     add_info,    add_devices,  add_figure,     add_fit,       add_flux,
+    add_lightcurve, add_light_time, add_profile, add_spectrum, add_visibility, add_landmarks, add_manual};
 
 // One line on standard error; the exit status that goes with it (1 or 2).
 int report(const Error& error);

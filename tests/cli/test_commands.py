@@ -17,7 +17,7 @@ from xml.etree import ElementTree
 import support
 from image_bytes import png, png_chunks
 
-COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench rays", "bench soak", "plan", "scenes", "info", "devices", "figure", "path", "study", "flux", "lightcurve", "light-time", "profile", "spectrum", "visibility", "landmarks", "manual"]
+COMMANDS = ["capture", "trace", "compare", "bench", "bench frames", "bench hard", "bench metrics", "bench pictures", "bench rays", "bench soak", "plan", "scenes", "info", "devices", "figure", "fit", "path", "study", "flux", "lightcurve", "light-time", "profile", "spectrum", "visibility", "landmarks", "manual"]
 
 
 def png_size(data):

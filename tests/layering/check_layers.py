@@ -33,7 +33,7 @@ PACKAGES = [
     ("toml++", re.compile(r"^toml(\+\+|plusplus)?/|^toml\.hpp$|^toml\+\+$"), {"scenefile", "studio/user_files.cpp"}),
     ("CLI11", re.compile(r"^CLI/|^CLI11\.hpp$"), {"base/command_line.cpp"}),
     ("nlohmann-json", re.compile(r"^nlohmann/"), {"cli", "command", "bench"}),
-    ("Boost", re.compile(r"^boost/"), {"reference"}),
+    ("Boost", re.compile(r"^boost/"), {"fit", "reference"}),
 ]
 # The reference shares no geodesic code with what it judges, not even through a third module.
 REFERENCE, REFERENCE_AVOIDS = "reference", {"shadercore", "table", "gl", "shaderlib", "render"}

@@ -1,0 +1,102 @@
+#include "fit/free_parameters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/text.h"
+#include "scenefile/key_place.h"
+#include "scenefile/scene_file.h"
+#include "scenefile/scene_keys.h"
+#include "scenefile/scene_override.h"
+
+namespace nullscope::fit {
+namespace {
+
+constexpr const char* kFreeWords = "KEY=LOW:HIGH, as in --free spin=0:0.99,camera.theta=10:80";
+constexpr double kBetween = 0.381966;  // of a range: a place that is no whole number
+
+Error bad_free(const std::string& words, const std::string& what, const std::string& allowed = kFreeWords) {
+    return bad_input(without_controls(fmt::format("--free {}: {}", words, what)), allowed);
+}
+
+// A key without a section, but for those that scene files have there, is a parameter of the metric.
+std::string whole_key(const std::string& key) {
+    const bool at_top = std::ranges::any_of(
+        scene_keys(), [&](const SceneKey& known) { return known.section.empty() && known.key == key; });
+    return key.find('.') == std::string::npos && !at_top ? "spacetime." + key : key;
+}
+
+Result<FreeParameter> parse_one(const std::string& words) {
+    const std::size_t equals = words.find('=');
+    if (equals == std::string::npos || equals == 0) return bad_free(words, "no key and its range");
+    const std::vector<std::string> ends = split(words.substr(equals + 1), ':');
+    if (ends.size() != 2) return bad_free(words, "no range");
+    const auto low = parse_number(ends[0]), high = parse_number(ends[1]);
+    if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high)) return bad_free(words, "no range of numbers");
+    if (!(*low < *high)) return bad_free(words, "the range is empty");
+    return FreeParameter{whole_key(trim(words.substr(0, equals))), *low, *high};
+}
+
+// What the reader says of words of --set is said of --free.
+Error said_of_free(Error error) {
+    constexpr std::string_view kSet = "--set ";
+    for (std::string* part : {&error.file, &error.what})
+        if (part->starts_with(kSet)) part->replace(0, kSet.size(), "--free ");
+    return error;
+}
+
+}  // namespace
+
+Result<std::vector<FreeParameter>> parse_free(const std::string& words) {
+    std::vector<FreeParameter> free;
+    for (const std::string& part : split(words, ',')) {
+        TRY(one, parse_one(trim(part)));
+        if (std::ranges::any_of(free, [&](const FreeParameter& other) { return other.key == one->key; }))
+            return bad_free(words, one->key + " is there twice", "each key once");
+        free.push_back(std::move(*one));
+    }
+    if (free.size() > kMostParameters)
+        return bad_free(words, fmt::format("{} parameters", free.size()), fmt::format("at most {}", kMostParameters));
+    return free;
+}
+
+Result<SceneFamily> SceneFamily::open(std::string scene, std::vector<std::string> set,
+                                      std::vector<FreeParameter> free) {
+    SceneFamily family;
+    family.scene_ = std::move(scene), family.set_ = std::move(set);
+    TRY(overrides, parse_overrides(family.set_));
+    TRY(as_it_is, load_scene(family.scene_, note_on_terminal, *overrides));
+    return family.with(std::move(free));
+}
+
+Result<SceneFamily> SceneFamily::with(std::vector<FreeParameter> more) const {
+    SceneFamily family = *this;
+    family.free_.insert(family.free_.end(), more.begin(), more.end());
+    if (Status good = family.check(); !good) return said_of_free(good.error());
+    return family;
+}
+
+// Both ends of each range, and a place between, with the others between.
+Status SceneFamily::check() const {
+    std::vector<double> middle;
+    for (const FreeParameter& one : free_) middle.push_back(one.at(kBetween));
+    for (std::size_t i = 0; i < free_.size(); ++i)
+        for (const double share : {0.0, 1.0, kBetween}) {
+            std::vector<double> values = middle;
+            values[i] = free_[i].at(share);
+            if (auto scene = at(values); !scene) return scene.error();
+        }
+    return Done{};
+}
+
+Result<Scene> SceneFamily::at(const std::vector<double>& values) const {
+    TRY(overrides, parse_overrides(set_));
+    for (std::size_t i = 0; i < free_.size(); ++i) overrides->push_back({free_[i].key, fmt::format("{}", values[i])});
+    return load_scene(
+        scene_, [](const std::string&) {}, *overrides);
+}
+
+}  // namespace nullscope::fit

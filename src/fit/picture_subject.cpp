@@ -1,0 +1,45 @@
+// A picture as the subject of a fit: the search is of means over squares of pixels.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "fit/picture_model.h"
+#include "fit/subject.h"
+
+namespace nullscope::fit {
+namespace {
+
+constexpr int kFirstSamples = 4;
+constexpr int kFewestPixels = 24;  // along a side of the search's picture
+
+std::optional<PictureData> for_search(const PictureData& data) {
+    for (int factor = std::min(data.light.width, data.light.height) / kFewestPixels; factor > 1; --factor)
+        if (auto coarse = coarser(data, factor)) return coarse;
+    return {};
+}
+
+}  // namespace
+
+Result<Subject> picture_subject(std::shared_ptr<ScenePainter> painter, const PictureSources& sources,
+                                std::optional<int> samples) {
+    TRY(data, load_picture_data(sources));
+    Subject subject{data->observed(std::filesystem::path(sources.data).filename().string()), nullptr};
+    auto model = std::make_unique<PictureModel>(painter, *data, samples.value_or(kFirstSamples));
+    if (const auto coarse = for_search(*data)) {
+        subject.coarse_data = coarse->observed("");
+        subject.coarse_model = std::make_unique<PictureModel>(painter, *coarse, kFirstSamples);
+    }
+    if (!samples)
+        subject.finer = [model = model.get()] {
+            if (model->samples() >= kMostSamples) return false;
+            model->set_samples(2 * model->samples());
+            return true;
+        };
+    subject.fineness = [model = model.get()] { return fmt::format("{0} x {0} rays a pixel", model->samples()); };
+    subject.model = std::move(model);
+    return subject;
+}
+
+}  // namespace nullscope::fit

@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+"""Fits find the scene that drew data, say how sure they are, and say where no scene of theirs did."""
+import json
+import math
+import re
+import resource
+
+import fit_data
+import support
+
+SCENE = """[spacetime]
+metric = "kerr"
+spin = 0.7
+[camera]
+r = 500.0
+theta = 50.0
+fov = 3.0
+size = [%d, %d]
+[sky]
+kind = "black"
+[disc]
+emission = "thermal"
+temperature = 5000.0
+outer = 10.0
+edge = 0.3
+[light]
+band = "bolometric"
+"""
+TRUE = {"spacetime.spin": 0.7, "camera.theta": 50.0}
+FREE = "spin=0:0.99,camera.theta=10:80"
+SIGNAL_TO_NOISE = 30
+
+
+def spent():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+class Fits(support.CliTest):
+    def drawn(self, side, samples):
+        """A picture of the scene by the reference, whose rays lie elsewhere than the shader's. The file of the scene has other numbers."""
+        self.write("true.toml", SCENE % (side, side))
+        self.write("scene.toml", (SCENE % (side, side)).replace("0.7", "0.2").replace("theta = 50", "theta = 20"))
+        self.run_nullscope("capture", "true.toml", "--renderer", "reference", "--samples", samples, "-o", "true.fits")
+        return fit_data.rows_of((self.folder / "true.fits").read_bytes())
+
+    def noisy(self, rows, seed=1):
+        self.sigma = fit_data.brightest(rows) / SIGNAL_TO_NOISE
+        self.write("data.fits", fit_data.fits(fit_data.noisy(rows, self.sigma, seed)))
+
+    def fitted(self, *more, free=FREE, data="data.fits"):
+        return json.loads(self.run_nullscope("fit", data, "scene.toml", "--free", free, "--sigma", "%.17g" % self.sigma, "--json", *more).out)
+
+    def holds(self, found, sigmas=4):
+        for one in found["parameters"]:
+            if one["key"] in TRUE:
+                self.assertLess(abs(one["best"] - TRUE[one["key"]]), sigmas * one["sigma"], one)
+
+    @support.costly
+    def test_a_picture_is_fitted_from_any_start(self):
+        self.noisy(self.drawn(32, 6))
+        found = self.fitted("-o", "best.toml")
+        self.assertEqual([one["key"] for one in found["parameters"]], list(TRUE))
+        self.holds(found)
+        self.assertTrue(found["describes_the_data"])
+        self.assertEqual(found["degrees_of_freedom"], 32 * 32 - 2)
+        self.assertLess(abs(found["chi2"] - 1022), 4 * math.sqrt(2 * 1022))
+        (answer,) = found["answers"]
+        self.assertEqual(answer["starts"], 4)
+        # What is written is the scene of these numbers, in the data's light.
+        text = (self.folder / "best.toml").read_text()
+        self.assertAlmostEqual(float(re.search(r"spin = (\S+)", text)[1]), found["parameters"][0]["best"], delta=1e-5)
+        table = self.run_nullscope("fit", "data.fits", "scene.toml", "--free", FREE, "--sigma", "%.17g" % self.sigma, "--starts", "1").out
+        self.assertRegex(table, r"1024 pixels of data.fits, 2 parameters")
+        self.assertRegex(table, r"spacetime\.spin +0\.\d+ +0\.\d+ to 0\.\d+ \(\+- [\d.e-]+\)")
+        self.assertRegex(table, r"1022 degrees of freedom")
+
+    @support.costly
+    def test_noise_moves_the_answer_as_the_interval_says(self):
+        rows = self.drawn(32, 6)
+        trials = 12
+        off = []
+        for seed in range(1, trials + 1):
+            self.noisy(rows, seed)
+            off += [(one["best"] - TRUE[one["key"]]) / one["sigma"] for one in self.fitted("--starts", "1")["parameters"]]
+        # The sum of squares of 2 x 12 normal numbers: 24 +- 6.9.
+        self.assertGreater(sum(x * x for x in off), 24 - 2.5 * 6.9, off)
+        self.assertLess(sum(x * x for x in off), 24 + 3.5 * 6.9, off)
+
+    @support.costly
+    def test_pictures_that_cannot_be(self):
+        side = 24
+        blob = [[math.exp(-((x - 11.5) ** 2 + (y - 11.5) ** 2) / 20) for x in range(side)] for y in range(side)]
+        self.drawn(side, 1)
+        self.noisy(blob)
+        ran = self.run_nullscope("fit", "data.fits", "scene.toml", "--free", FREE, "--sigma", "%.17g" % self.sigma, "--nuisance", "flux", "--starts", "1", status=1)
+        self.assertIn("this scene does not describe the data: chi^2/dof ", ran.err)
+        self.assertNotIn("+-", ran.out)
+
+    @support.costly
+    def test_a_mask_leaves_out_and_nuisances_are_found(self):
+        rows = self.drawn(32, 4)
+        self.noisy(rows)
+        data = fit_data.rows_of((self.folder / "data.fits").read_bytes())
+        spoiled = [[1e3 if 4 <= x < 8 and y < 8 else 2.5 * value for x, value in enumerate(row)] for y, row in enumerate(data)]
+        self.write("spoiled.fits", fit_data.fits(spoiled))
+        self.write("mask.fits", fit_data.fits([[0.0 if 4 <= x < 8 and y < 8 else 1.0 for x in range(32)] for y in range(32)]))
+        self.sigma *= 2.5
+        found = self.fitted("--mask", "mask.fits", "--nuisance", "flux", "--starts", "1", data="spoiled.fits")
+        self.assertEqual(found["degrees_of_freedom"], 32 * 32 - 32 - 3)
+        self.holds(found)
+        self.assertAlmostEqual(found["flux"], 2.5, delta=0.3)
+
+    def test_errors(self):
+        self.write("scene.toml", SCENE % (8, 8))
+        data = self.write("data.fits", fit_data.fits([[1.0] * 8] * 8))
+        usual = {"--free": FREE, "--sigma": "1"}
+
+        def refused(says, picture=data, **changed):
+            options = {**usual, **{"--" + name: value for name, value in changed.items()}}
+            self.refused("fit", picture, "scene.toml", "-o", "best.toml", *(word for pair in options.items() if pair[1] for word in pair), says=says)
+
+        refused(["--free camera.tehta=", "unknown key", "theta"], free="camera.tehta=10:80")
+        refused(["--free spacetime.spin=2", "[-1, 1]"], free="spin=0:2")
+        refused(["--free disc.emission=", "disc.emission"], free="disc.emission=0:1")
+        refused(["range is empty"], free="spin=0.5:0.5")
+        refused(["no range"], free="spin=0.5")
+        refused(["spin is there twice"], free="spin=0:0.5,spacetime.spin=0:0.4")
+        refused(["--sigma"], sigma="")
+        refused(["--sigma -1", "above 0"], sigma="-1")
+        refused(["--nuisance", "centre, roll, flux"], nuisance="tilt")
+        refused(["4 x 8 pixels", "8 x 8"], sigma=self.write("narrow.fits", fit_data.fits([[1.0] * 4] * 8)))
+        refused(["no pixel counts"], mask=self.write("black.fits", fit_data.fits([[0.0] * 8] * 8)))
+        refused(["spoiled.fits", "finite"], picture=self.write("spoiled.fits", fit_data.fits([[math.nan] * 8] * 8)))
+        refused(["none.fits"], picture="none.fits")
+
+    @support.costly
+    def test_large_pictures_as_promised(self):
+        self.noisy(self.drawn(128, 7))
+        before = spent()
+        found = self.fitted()
+        self.assertLess(spent() - before, 20 * 2)   # half of that on a machine that is not busy
+        self.assertLess(abs(found["parameters"][0]["best"] - 0.7), 0.01)
+        self.assertLess(abs(found["parameters"][1]["best"] - 50), 0.3)
+        (answer,) = self.fitted("--starts", "20", "--seed", "1")["answers"]
+        self.assertEqual(answer["starts"], 20)
+
+
+if __name__ == "__main__":
+    support.main()
