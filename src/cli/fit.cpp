@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/text.h"
 #include "cli/command.h"
 #include "command/json.h"
 #include "command/options.h"
 #include "fit/nuisance.h"
 #include "fit/report.h"
 #include "fit/subject.h"
+#include "fit/visibility_subject.h"
 #include "scenefile/scene_writer.h"
 
 namespace nullscope::cli {
@@ -50,10 +52,18 @@ Status write_best(const std::string& file, const fit::SceneFamily& family, const
     return write_text_atomically(file, scene_file_text(*scene, folder));
 }
 
+// What the data are is seen by their name: tables end in .csv.
+Result<fit::Subject> subject_of(const FitCommandOptions& options, const FreeScene& free) {
+    TRY(painter, fit::ScenePainter::open(free.family, options.context));
+    if (!lower_case(options.data).ends_with(".csv"))
+        return fit::picture_subject(*painter, {options.data, options.sigma, options.mask}, options.samples);
+    if (!options.mask.empty()) return bad_input("--mask: a table has no pixels", "with a picture");
+    return fit::visibility_subject(*painter, {options.data, options.sigma, free.flux}, options.samples);
+}
+
 Result<int> run_fit_command(const FitCommandOptions& options) {
     TRY(free, free_scene(options));
-    TRY(painter, fit::ScenePainter::open(free->family, options.context));
-    TRY(subject, fit::picture_subject(*painter, {options.data, options.sigma, options.mask}, options.samples));
+    TRY(subject, subject_of(options, *free));
     fit::FitOptions fitting;
     fitting.free_flux = free->flux;
     fitting.loss = static_cast<fit::Loss>(std::ranges::find(fit::kLossNames, options.loss) - fit::kLossNames);

@@ -92,6 +92,12 @@ Status SceneFamily::check() const {
     return Done{};
 }
 
+Result<Scene> SceneFamily::somewhere() const {
+    std::vector<double> values;
+    for (const FreeParameter& one : free_) values.push_back(one.at(0.5));
+    return at(values);
+}
+
 Result<Scene> SceneFamily::at(const std::vector<double>& values) const {
     TRY(overrides, parse_overrides(set_));
     for (std::size_t i = 0; i < free_.size(); ++i) overrides->push_back({free_[i].key, fmt::format("{}", values[i])});

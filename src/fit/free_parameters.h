@@ -33,6 +33,7 @@ public:
     // Its values in the unit of scene files, one for each parameter. Errors (bad input): what the scene's file could not be either. Cost: a
     // millisecond.
     Result<Scene> at(const std::vector<double>& values) const;
+    Result<Scene> somewhere() const;  // with every parameter in the middle of its range
     // With further parameters, likewise checked.
     Result<SceneFamily> with(std::vector<FreeParameter> more) const;
 

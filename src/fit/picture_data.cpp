@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "base/text.h"
+#include "fit/sigma_words.h"
 #include "image/fits_input.h"
 #include "image/image_file.h"
 #include "image/luminance.h"
@@ -59,17 +60,13 @@ Result<Image<double>> load_like(const std::string& file, const Image<double>& da
 Result<Image<double>> load_sigma(const std::string& words, const Image<double>& data) {
     if (words.empty())
         return bad_input("a picture without its error", "--sigma NUMBER, NUMBER% of the brightest pixel, or a picture");
-    const bool is_share = words.ends_with('%');
-    const auto number = parse_number(is_share ? words.substr(0, words.size() - 1) : words);
+    double largest = 0;
+    for (const double value : data.data)
+        if (std::isfinite(value)) largest = std::max(largest, value);
+    const auto number = sigma_of_words(words, largest);
     if (!number) return load_like(words, data);
-    double unit = 1;
-    if (is_share) {
-        unit = 0;
-        for (const double value : data.data)
-            if (std::isfinite(value)) unit = std::max(unit, 0.01 * value);
-    }
     Image<double> sigma(data.width, data.height, 1);
-    std::ranges::fill(sigma.data, *number * unit);
+    std::ranges::fill(sigma.data, *number);
     return sigma;
 }
 

@@ -9,13 +9,13 @@
 namespace nullscope::fit {
 
 PictureModel::PictureModel(std::shared_ptr<ScenePainter> painter, const PictureData& data, int samples)
-    : painter_(std::move(painter)), size_{data.light.width, data.light.height, samples}, of_sky_(data.of_sky) {
+    : PaintedModel(std::move(painter), {data.light.width, data.light.height, samples}), of_sky_(data.of_sky) {
     for (std::size_t i = 0; i < data.sigma.data.size(); ++i)
         if (data.sigma.data[i] > 0) pixels_.push_back(i);
 }
 
 Result<Prediction> PictureModel::predict(const std::vector<double>& values) {
-    TRY(painted, painter_->paint(values, size_));
+    TRY(painted, paint(values));
     Prediction prediction;
     prediction.reserve(pixels_.size());
     if (of_sky_) {

@@ -1,6 +1,4 @@
 // A picture as the subject of a fit: the search is of means over squares of pixels.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -11,7 +9,6 @@
 namespace nullscope::fit {
 namespace {
 
-constexpr int kFirstSamples = 4;
 constexpr int kFewestPixels = 24;  // along a side of the search's picture
 
 std::optional<PictureData> for_search(const PictureData& data) {
@@ -31,14 +28,7 @@ Result<Subject> picture_subject(std::shared_ptr<ScenePainter> painter, const Pic
         subject.coarse_data = coarse->observed("");
         subject.coarse_model = std::make_unique<PictureModel>(painter, *coarse, kFirstSamples);
     }
-    if (!samples)
-        subject.finer = [model = model.get()] {
-            if (model->samples() >= kMostSamples) return false;
-            model->set_samples(2 * model->samples());
-            return true;
-        };
-    subject.fineness = [model = model.get()] { return fmt::format("{0} x {0} rays a pixel", model->samples()); };
-    subject.model = std::move(model);
+    make_finer(subject, samples, std::move(model));
     return subject;
 }
 

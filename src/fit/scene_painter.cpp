@@ -14,9 +14,7 @@ ScenePainter::ScenePainter(SceneFamily family, cli::Session session)
 }
 
 Result<std::shared_ptr<ScenePainter>> ScenePainter::open(SceneFamily family, const std::string& context) {
-    std::vector<double> values;
-    for (const FreeParameter& one : family.free()) values.push_back(one.at(0.5));
-    TRY(scene, family.at(values));
+    TRY(scene, family.somewhere());
     if (scene->split || scene->camera.stereo != Stereo::kOff)
         return bad_input("a fit is to one picture", "no [split] and no camera.stereo");
     if (scene->path) return bad_input("the camera of a fit stands still", "no [path]");

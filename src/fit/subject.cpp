@@ -1,5 +1,7 @@
 #include "fit/subject.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace nullscope::fit {
@@ -16,6 +18,12 @@ Result<Fitted> fit_subject(Subject& subject, const std::vector<FreeParameter>& f
         coarse.emplace(Problem{*subject.coarse_data, *subject.coarse_model, free, options.free_flux, options.loss,
                                kSettledSearch});
     return run_fit(problem, coarse ? &*coarse : nullptr, options.search, subject.finer);
+}
+
+void make_finer(Subject& subject, std::optional<int> samples, std::unique_ptr<PaintedModel> model) {
+    if (!samples) subject.finer = [model = model.get()] { return model->finer(); };
+    subject.fineness = [model = model.get()] { return fmt::format("{0} x {0} rays a pixel", model->samples()); };
+    subject.model = std::move(model);
 }
 
 }  // namespace nullscope::fit

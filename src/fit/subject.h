@@ -7,6 +7,7 @@
 
 #include "fit/fitter.h"
 #include "fit/model.h"
+#include "fit/painted_model.h"
 #include "fit/picture_data.h"
 #include "fit/scene_painter.h"
 
@@ -27,6 +28,9 @@ struct FitOptions {
     SearchOptions search{};
 };
 Result<Fitted> fit_subject(Subject& subject, const std::vector<FreeParameter>& free, const FitOptions& options);
+
+// The model of `subject`, made finer as long as that moves the answer, where nobody said how many samples.
+void make_finer(Subject& subject, std::optional<int> samples, std::unique_ptr<PaintedModel> model);
 
 // A picture; samples: rays along each side of a pixel, nothing: as many as it takes for the answer to stay.
 Result<Subject> picture_subject(std::shared_ptr<ScenePainter> painter, const PictureSources& sources,
