@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/text.h"
 #include "cli/command.h"
+#include "cli/line_subject.h"
 #include "command/json.h"
 #include "command/options.h"
 #include "fit/nuisance.h"
@@ -54,10 +55,11 @@ Status write_best(const std::string& file, const fit::SceneFamily& family, const
 
 // What the data are is seen by their name: tables end in .csv.
 Result<fit::Subject> subject_of(const FitCommandOptions& options, const FreeScene& free) {
+    const bool is_table = lower_case(options.data).ends_with(".csv");
+    if (is_table && !options.mask.empty()) return bad_input("--mask: a table has no pixels", "with a picture");
+    if (is_table && is_line_table(options.data)) return line_subject(free.family, options.data, options.sigma);
     TRY(painter, fit::ScenePainter::open(free.family, options.context));
-    if (!lower_case(options.data).ends_with(".csv"))
-        return fit::picture_subject(*painter, {options.data, options.sigma, options.mask}, options.samples);
-    if (!options.mask.empty()) return bad_input("--mask: a table has no pixels", "with a picture");
+    if (!is_table) return fit::picture_subject(*painter, {options.data, options.sigma, options.mask}, options.samples);
     return fit::visibility_subject(*painter, {options.data, options.sigma, free.flux}, options.samples);
 }
 
@@ -82,17 +84,20 @@ Result<int> run_fit_command(const FitCommandOptions& options) {
 
 void add_fit(Command& parent) {
     auto [command, options] = add_command<FitCommandOptions>(
-        parent, "fit", "The numbers of a scene that describe a picture best, with their errors and how well they do",
+        parent, "fit",
+        "The numbers of a scene that describe a picture, visibilities or a line's profile best, with their errors",
         run_fit_command);
-    required_option(command, "data", options.data, "Picture (EXR, FITS, PNG and others) of linear light");
+    required_option(
+        command, "data", options.data,
+        "Picture (EXR, FITS, PNG and others) of linear light, or a table (.csv) as visibility or spectrum write it");
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes), that is to describe it");
     required_option(command, "--free", options.free,
                     "KEY=LOW:HIGH,... numbers of the scene and their ranges: spin=0:0.99,camera.theta=10:80");
     set_option(command, options.set);
-    command.add_option(
-        "--sigma", &options.sigma,
-        "Standard deviation of each pixel: a number, a number and % of the brightest pixel, or a picture");
+    command.add_option("--sigma", &options.sigma,
+                       "Standard deviation: a number, a number and % of the brightest, or a picture; of tables without "
+                       "a column noise");
     command.add_option("--mask", &options.mask, "Picture whose bright pixels (above one half) count (default: all)");
     command.add_option("--nuisance", &options.nuisance,
                        "What else is free, of centre,roll,flux: the picture's place within 5 %, its turn, its scale");

@@ -2,6 +2,7 @@
 """Fits find the scene that drew data, say how sure they are, and say where no scene of theirs did."""
 import json
 import math
+import random
 import re
 import resource
 
@@ -110,6 +111,57 @@ class Fits(support.CliTest):
         self.assertEqual(found["degrees_of_freedom"], 32 * 32 - 32 - 3)
         self.holds(found)
         self.assertAlmostEqual(found["flux"], 2.5, delta=0.3)
+
+    def with_noise(self, name, columns, share):
+        """The table with noise on these columns, a share of the largest number in them, and a column that says so."""
+        lines = [line for line in (self.folder / name).read_text().splitlines() if not line.startswith("#")]
+        header = lines[0].split(",")
+        rows = [line.split(",") for line in lines[1:]]
+        at = [header.index(column) for column in columns]
+        sigma = share * max(abs(float(row[i])) for row in rows for i in at)
+        dice = random.Random(1)
+        for row in rows:
+            for i in at:
+                row[i] = "%.12g" % (float(row[i]) + dice.gauss(0, sigma))
+        self.write(name, "".join(",".join([*row, more]) + "\n" for row, more in zip([header, *rows], ["noise"] + ["%.12g" % sigma] * len(rows))))
+
+    @support.costly
+    def test_visibilities(self):
+        scene = (SCENE % (48, 48)) + '[object]\nname = "m87"\n'
+        self.write("true.toml", scene)
+        self.run_nullscope("visibility", "true.toml", "--size", "96x96", "--renderer", "reference", "--samples", "3", "--radial", "30", "8", "--points", "24", "-o", "seen")
+        self.with_noise("seen.csv", ["real", "imaginary"], 0.01)
+        found = json.loads(self.run_nullscope("fit", "seen.csv", "true.toml", "--free", FREE, "--starts", "1", "--json").out)
+        self.holds(found)
+        self.assertEqual(found["degrees_of_freedom"], 2 * 24 - 2)
+        self.assertTrue(found["describes_the_data"], found)
+
+    @support.costly
+    def test_lines(self):
+        self.write("true.toml", SCENE % (8, 8))
+        self.run_nullscope("spectrum", "true.toml", "--bins", "40", "-o", "line")
+        self.with_noise("line.csv", ["photons"], 0.01)
+        found = json.loads(self.run_nullscope("fit", "line.csv", "true.toml", "--free", "camera.theta=30:70,disc.outer=6:15", "--starts", "1", "--json").out)
+        theta, outer = found["parameters"]
+        self.assertLess(abs(theta["best"] - 50), 4 * theta["sigma"])
+        self.assertLess(abs(outer["best"] - 10), 4 * outer["sigma"])
+        self.assertTrue(found["describes_the_data"], found)
+
+    def test_errors_of_tables(self):
+        self.write("scene.toml", (SCENE % (8, 8)) + '[object]\nname = "m87"\n')
+
+        def refused(table, says, *more):
+            self.write("data.csv", table)
+            self.refused("fit", "data.csv", "scene.toml", "--free", FREE, "-o", "best.toml", *more, says=says)
+
+        visible, line = "u,v,amplitude,noise\n1e9,0,0.5,0.1\n", "g_from,g_to,photons,noise\n0.5,0.6,0.1,0.1\n"
+        refused(visible.replace("0.5", "nan"), ["data.csv:2: amplitude"])
+        refused(visible.replace("amplitude", "phase_deg"), ["no visibilities"])
+        refused(visible, ["noise", "and --sigma"], "--sigma", "1")
+        refused(visible.replace("amplitude,noise", "amplitude_jy,noise_jy"), ["Jy", "--nuisance flux"])
+        refused(line + "0.7,0.8,0.1,0.1\n", ["data.csv:3: g_from", "none left out"])
+        refused(line.replace("0.1\n", "-1\n"), ["data.csv:2: noise"])
+        refused(line, ["--mask"], "--mask", "mask.png")
 
     def test_errors(self):
         self.write("scene.toml", SCENE % (8, 8))
