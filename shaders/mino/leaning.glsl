@@ -1,6 +1,7 @@
 // A disc's plane that leans from the equator of a rotating hole: rays do not keep to planes there, and cross it where they happen to. Each step
 // knows the height of its ends over it and how that changes; one that dips through it and comes back is taken in two. As spin_crossing of
 // mino/segment.glsl for the equatorial plane.
+#include "core/plane_search.glsl"
 #include "core/trig.glsl"
 #include "mino/height.glsl"
 #include "mino/kerr.glsl"
@@ -10,19 +11,8 @@
 
 bool step_crosses(SpinState from, SpinState to) { return from.height.x * to.height.x < 0.0 || (to.height.x == 0.0 && from.height.x != 0.0); }
 
-// Where the cubic with these heights and slopes at 0 and 1 is lowest over the plane, if it is beyond that and its ends are not; else 1.
-float leaning_dip(vec2 from, vec2 to) {
-    float side = from.x < 0.0 ? -1.0 : 1.0;
-    float d = to.x - from.x;
-    float third = from.y + to.y - 2.0 * d;
-    float second = 3.0 * d - 2.0 * from.y - to.y;
-    // of 3 third s^2 + 2 second s + from.y = 0 the root where it turns back
-    float root = sqrt(max(second * second - 3.0 * third * from.y, 0.0));
-    float s = -side * from.y / max(side * second + root, 1.0e-20);
-    float value = from.x + s * (from.y + s * (second + s * third));
-    bool dips = side * to.x > 0.0 && side * from.y < 0.0 && side * to.y > 0.0 && s > 0.0 && s < 1.0 && side * value < -LEANING_ON;
-    return dips ? s : 1.0;
-}
+// Where a step is farthest beyond the plane, if it comes back; else 1.
+float leaning_dip(vec2 from, vec2 to) { return plane_dip(from, to, LEANING_ON); }
 
 // A step, or its part to where it is beyond the plane: once more in a loop, as software drivers run both sides of a branch.
 SpinState next_step(SpinRay ray, SpinState from, inout float h) {
@@ -49,30 +39,6 @@ SpinState state_turned(SpinRay ray, SpinState now) {
 SpinState state_turned(SpinRay ray, SpinState now) { return now; }
 #endif
 
-// A search for the plane between two ends of a step: by Newton's steps while they stay between what is known to be on this side and on the other.
-struct LeaningSearch {
-    float s;
-    float low;
-    float high;
-};
-
-// found: height and slope at s; begin: height at the step's start.
-LeaningSearch leaning_narrowed(LeaningSearch search, vec2 found, float begin) {
-    search.low = found.x * begin > 0.0 ? search.s : search.low;
-    search.high = found.x * begin > 0.0 ? search.high : search.s;
-    float next = search.s - found.x / (abs(found.y) > 1.0e-30 ? found.y : 1.0e-30);
-    search.s = next >= search.low && next <= search.high ? next : 0.5 * (search.low + search.high);
-    return search;
-}
-
-// Of the cubic with these heights and slopes at 0 and 1.
-vec2 leaning_cubic(vec2 from, vec2 to, float s) {
-    float d = to.x - from.x;
-    float third = from.y + to.y - 2.0 * d;
-    float second = 3.0 * d - 2.0 * from.y - to.y;
-    return vec2(from.x + s * (from.y + s * (second + s * third)), from.y + s * (2.0 * second + 3.0 * s * third));
-}
-
 vec2 leaning_height_within(SpinRay ray, SpinSegment segment, float s) {
     vec4 y = spin_at(segment.arc, s);
     float drag = segment.h * spin_drag(ray, y.w, spin_fine_at(segment.arc, s, y.w));
@@ -83,16 +49,10 @@ DiscCrossing spin_crossing(SpinRay ray, SpinState from, SpinState to, float h, f
     SpinSegment segment = spin_segment(ray, from, to, h);
     vec2 begin = vec2(from.height.x, h * from.height.y);
     vec2 end = vec2(to.height.x, h * to.height.y);
-    LeaningSearch search = LeaningSearch(0.5, 0.0, 1.0);
-    search = leaning_narrowed(search, leaning_cubic(begin, end, search.s), begin.x);
-    search = leaning_narrowed(search, leaning_cubic(begin, end, search.s), begin.x);
-    search = leaning_narrowed(search, leaning_cubic(begin, end, search.s), begin.x);
-    search = leaning_narrowed(search, leaning_cubic(begin, end, search.s), begin.x);
-    search.low = 0.0;
-    search.high = 1.0;
-    search = leaning_narrowed(search, leaning_height_within(ray, segment, search.s), begin.x);
-    search = leaning_narrowed(search, leaning_height_within(ray, segment, search.s), begin.x);
-    search = leaning_narrowed(search, leaning_height_within(ray, segment, search.s), begin.x);
+    PlaneSearch search = plane_search(begin, end);
+    search = plane_narrowed(search, leaning_height_within(ray, segment, search.s), begin.x);
+    search = plane_narrowed(search, leaning_height_within(ray, segment, search.s), begin.x);
+    search = plane_narrowed(search, leaning_height_within(ray, segment, search.s), begin.x);
     float s = search.s;
     vec4 at = spin_at(segment.arc, s);
     vec4 slope = spin_slope_at(segment.arc, s) / h;
