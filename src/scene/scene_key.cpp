@@ -32,8 +32,8 @@ std::string allowed_text(const SceneKey& key) {
             return fmt::format("{}{}, {}{}", range.open_low ? '(' : '[', range.low, range.high,
                                range.open_high ? ')' : ']');
         case KeyType::kNumbers:
-            return fmt::format("[{}, {}], or up to {} of these in ascending order", range.low, range.high,
-                               kMostNumbers);
+            return fmt::format("[{}, {}], or up to {} of these{}", range.low, range.high, kMostNumbers,
+                               key.any_order ? "" : " in ascending order");
         case KeyType::kVelocity: return "three numbers, speed below 1";
         case KeyType::kPoint:
         case KeyType::kColour: return fmt::format("three numbers from {} to {}", range.low, range.high);

@@ -10,7 +10,7 @@ namespace nullscope {
 
 // kVelocity, kPoint, kColour: an array of 3 numbers. kSize: an array of 2 integers. kWhole: an integer. kFile: a file, relative
 // to the scene file. kFormula: an expression (docs/expressions.md) of the variables in SceneKey::choices. kNumbers: a number, or an array
-// of up to kMostNumbers in ascending order.
+// of up to kMostNumbers, in ascending order unless SceneKey::any_order.
 enum class KeyType {
     kNumber,
     kVelocity,
@@ -57,7 +57,8 @@ struct SceneKey {
     bool (*meant)(const Scene&) = nullptr;  // whether the key means anything in this scene; null: in every one ...
     std::string_view with = {};             // ... and else with what, for the message: "kind = \"image\""
     bool needed = false;                    // and whether it must be there then
-    bool series = false;  // kFile: a placeholder for a number in the name stands for several (base/numbered_files.h)
+    bool series = false;     // kFile: a placeholder for a number in the name stands for several (base/numbered_files.h)
+    bool any_order = false;  // kNumbers
 };
 
 // A row of a key that is on or off: fallback says which by default.

@@ -59,13 +59,15 @@ Checked check_number(const SceneKey& key, const toml::node& node) {
     return KeyValue{.number = key.unit == "deg" ? *number * std::numbers::pi / 180.0 : *number};
 }
 
-// A number, or an array of them in ascending order.
+// A number, or an array of them, in ascending order unless the key takes any.
 Checked check_numbers(const SceneKey& key, const toml::node& node) {
     const toml::array* array = node.as_array();
     if (array == nullptr && !node.is_number())
         return bad_input(fmt::format("must be a number or an array of numbers, not {}", type_name(node)));
     if (array == nullptr) {
-        TRY(one, check_number(key, node));
+        SceneKey plain = key;
+        plain.unit = {};  // lists of angles stay degrees
+        TRY(one, check_number(plain, node));
         return KeyValue{.numbers = {one->number}};
     }
     if (array->empty()) return bad_input("an array without a number");
@@ -75,6 +77,10 @@ Checked check_numbers(const SceneKey& key, const toml::node& node) {
         const std::optional<double> number = finite_number(item);
         if (!number) return bad_input(fmt::format("number {} is not a finite number", value.numbers.size() + 1));
         if (!key.range.contains(*number)) return bad_input(fmt::format("{} is out of range", *number));
+        if (key.any_order) {
+            value.numbers.push_back(*number);
+            continue;
+        }
         if (std::ranges::find(value.numbers, *number) != value.numbers.end())
             return bad_input(fmt::format("{} is there twice", *number));
         if (!value.numbers.empty() && *number < value.numbers.back())
