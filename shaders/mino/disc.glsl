@@ -42,6 +42,11 @@ DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
     return crossing;
 }
 
+vec3 crossing_place_in_world(DiscCrossing crossing) {
+    return crossing.place.x * vec3(frame.disc_x.x, frame.disc_x.y, frame.disc_x.z) +
+           crossing.place.y * vec3(frame.disc_y.x, frame.disc_y.y, frame.disc_y.z);
+}
+
 #ifdef LAYERS
 int disc_walk_order(DiscWalk walk, DiscCrossing crossing) { return int(crossing.number) - 1; }
 #endif

@@ -11,6 +11,7 @@
 #ifdef EFFECT_THERMAL_DISC
 #include "object/disc_matter.glsl"
 #endif
+#include "object/disc_rim.glsl"
 #include "object/disc_stokes.glsl"
 #ifdef SLOT_DISC_GLOW
 #include "generated/disc_glow"
@@ -41,14 +42,14 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
     float outer = frame.disc_y.w;
     vec2 outward = crossing.place / crossing.r;
     float across = clamp(abs(dot(crossing.along, outward)) + abs(dot(crossing.across, outward)), 1.0e-6, 0.25 * (outer - inner));   // pixel's extent in r
-    float alpha = clamp((crossing.r - inner) / across + 0.5, 0.0, 1.0) * clamp((outer - crossing.r) / across + 0.5, 0.0, 1.0);
+    float alpha = disc_covered(crossing.r, across);
 #ifdef SLOT_DISC_GLOW
     vec3 glow = disc_glow(trace, crossing, delay) * alpha;
     disc_stokes_times(alpha);
 #endif
     float whole = 1.0;   // of its opacity, within its rims
 #ifdef EFFECT_TRANSLUCENT_DISC
-    float depth = min(crossing.r - inner, outer - crossing.r) / (outer - inner);
+    float depth = disc_depth(crossing.r) / (outer - inner);
     float fade = frame.disc_surface.y;
     float t = clamp(depth / max(fade, 1.0e-6), 0.0, 1.0);
     whole = fade > 0.0 ? t * t * (3.0 - 2.0 * t) : 1.0;

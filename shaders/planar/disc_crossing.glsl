@@ -24,6 +24,7 @@ struct DiscCrossing {
 #endif
 };
 
+// Of the disc's plane, in world axes.
 vec3 disc_axis() { return vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z); }
 
 // The first crossing of the plane; crossing k lies k half turns further and on alternating sides.
@@ -100,4 +101,10 @@ DiscCrossing disc_cross(Trace trace, PlaneMeeting meeting, int number, float mar
     crossing.along = along_r * outward;
     crossing.across = across_r * outward + across_t * around;
     return crossing;
+}
+
+vec3 crossing_axis(DiscCrossing crossing) { return disc_axis(); }
+vec3 crossing_place_in_world(DiscCrossing crossing) {
+    return crossing.place.x * vec3(frame.disc_x.x, frame.disc_x.y, frame.disc_x.z) +
+           crossing.place.y * vec3(frame.disc_y.x, frame.disc_y.y, frame.disc_y.z);
 }

@@ -76,8 +76,7 @@ PixelData data_of_crossings(PixelData data, Trace trace) {
         if (data_hides(data, crossing.phi)) break;
         if (crossing.hit) {
             data.hit = 1.0;
-            data.place = crossing.place.x * vec3(frame.disc_x.x, frame.disc_x.y, frame.disc_x.z) +
-                         crossing.place.y * vec3(frame.disc_y.x, frame.disc_y.y, frame.disc_y.z);
+            data.place = crossing_place_in_world(crossing);
             data.along = crossing.phi;
             if (frame.disc_surface.x >= 1.0) {   // opaque: the ray ends here
                 data.fate = 4.0;

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "cli/line_emissivity.h"
 #include "observer/pose.h"
+#include "scene/disc_shape.h"
 #include "scene/leaning_disc.h"
 #include "scene/orbit_sense.h"
 #include "scenefile/scene_file.h"
@@ -98,6 +99,8 @@ Result<LineSource> line_source(const SpectrumOptions& options, Scene scene) {
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     if (disc_leans(scene) && (*spacetime)->rotates())
         return bad_input("lines are of discs in the equatorial plane of a rotating hole", "disc.tilt = 0");
+    if (disc_warps(scene))
+        return bad_input("lines are of flat discs without gaps", "a scene without disc.warp_radii and disc.rings");
     LineSource source{name_of(scene), *spacetime};
     const double theta_deg = options.scene.empty() ? kInclination_deg : from_axis(scene) / kOneDegree,
                  from_axis_deg = options.inclination_deg.value_or(theta_deg);

@@ -11,6 +11,7 @@
 #include "command/svg.h"
 #include "observer/observer.h"
 #include "reference/photon_ring.h"
+#include "scene/disc_shape.h"
 #include "scene/leaning_disc.h"
 #include "spacetime/photon_shell.h"
 #include "spacetime/registry.h"
@@ -216,6 +217,9 @@ std::string photon_ring_svg(const std::string& head, const std::vector<Ring>& ri
 }  // namespace
 
 Result<RingFigure> photon_ring_figure(const Scene& scene, int rings, std::vector<int> angles) {
+    if (disc_warps(scene))
+        return bad_input("rings are drawn of a flat disc without gaps",
+                         "a scene without disc.warp_radii and disc.rings");
     if (disc_leans(scene)) return bad_input("rings are drawn of a disc in the equatorial plane", "disc.tilt = 0");
     TRY(ring, PhotonRing::make(scene));
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));

@@ -16,6 +16,7 @@
 #include "observer/ball_motion.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
+#include "scene/disc_shape.h"
 #include "scene/leaning_disc.h"
 #include "scene/orbit_sense.h"
 #include "sky/sky.h"
@@ -75,11 +76,13 @@ private:
     Vec3 on_disc(Vec3 place, double time) const {
         const bool flows = scene_.disc->flow != DiscFlowKind::kStill;
         if (!flows && !disc_precesses(scene_)) return place;
-        const DiscPlane plane = disc_plane_of(scene_), then = disc_plane(scene_.disc->lean, scene_.time + time);
+        const double r = length(place);
+        const DiscPlane plane = DiscShape(*scene_.disc, scene_.time).plane(r),
+                        then = DiscShape(*scene_.disc, scene_.time + time).plane(r);
         const double x = dot(place, plane.x), y = dot(place, plane.y);
-        const auto rate = flows ? leaning_rate(spacetime_, std::hypot(x, y),
-                                               sense_about(spacetime_, scene_.disc->sense), scene_.disc->lean.tilt)
-                                : std::nullopt;
+        const auto rate =
+            flows ? leaning_rate(spacetime_, r, sense_about(spacetime_, scene_.disc->sense), scene_.disc->lean.tilt)
+                  : std::nullopt;
         const double turned = rate.value_or(0.0) * time, c = std::cos(turned), s = std::sin(turned);
         return then.place(c * x - s * y, s * x + c * y);
     }

@@ -11,6 +11,7 @@
 #include "observer/spin_ring.h"
 #include "reference/ray_plane.h"
 #include "render/listed_start.h"
+#include "scene/disc_shape.h"
 #include "scene/leaning_disc.h"
 #include "scene/orbit_sense.h"
 #include "spacetime/spherical_metric.h"
@@ -326,6 +327,8 @@ Status trace_with_shader(const Scene& scene, const Spacetime& spacetime, std::sp
     if (!opaque && !(run.crossings > 0 && disc_leans(scene))) drawn.disc.reset();  // it ends no ray
     if (run.tracer != "gl" && disc_leans(scene) && !planes)
         return bad_input("--with core64 and core32 have no disc that leans about a rotating hole", "reference or gl");
+    if (disc_warps(scene))
+        return bad_input("of a disc with a warp or rings the reference alone lists crossings", "--with reference");
     const Sense sense = scene.disc ? sense_about(spacetime, scene.disc->sense) : Sense::kEastward;
     const int crossings = plane ? std::min(run.crossings, kMostCrossings) : 0;
     const double shifts_beyond = run.shifts ? spacetime.horizon_radius().value_or(0.0) : INFINITY;

@@ -3,8 +3,10 @@
 
 #include <cmath>
 
+#include "plan/disc_shape_keys.h"
 #include "plan/emissivity_keys.h"
 #include "plan/feature.h"
+#include "scene/disc_shape.h"
 #include "scene/leaning_disc.h"
 #include "scene/projection.h"
 #include "spacetime/circular_orbit.h"
@@ -18,6 +20,11 @@ bool glows(const Scene& s) { return s.disc && s.disc->emission == DiscEmission::
 bool is_pattern(TextureKind texture) { return texture != TextureKind::kImage && texture != TextureKind::kGas; }
 
 bool is_gas(const Scene& s) { return s.disc && s.disc->material.texture == TextureKind::kGas; }
+
+void without_disc_texture(Scene& s) {
+    s.disc->material.texture = TextureKind::kImage;
+    s.disc->image.clear();
+}
 
 // Of a disc's gas.
 std::vector<SceneKey> gas_keys() {
@@ -80,6 +87,27 @@ Feature leaning_disc() {
             [](Scene& s) { s.disc->lean.tilt = 0.5; }};
 }
 
+Feature warped_disc() {
+    return {{Effect::kDiscWarp, "disc-warp", "EFFECT_DISC_WARP",
+             "The disc is warped, each ring in a plane of its own, or has gaps.",
+             "there are disc.warp_radii or disc.rings", "some 20 places along each ray, of six fetches each"},
+            [](const FrameFacts& f) -> Reason {
+                if (!disc_warps(f.scene)) return kNot;
+                const DiscWarp& warp = f.scene.disc->warp;
+                return warp.bends() ? fmt::format("disc.warp_radii, {} rows", warp.radii.size())
+                                    : fmt::format("disc.rings, {} radii", warp.rings.size());
+            },
+            [](Scene& s) {
+                if (s.disc) s.disc->warp = {};
+            },
+            still_disc,
+            [](Scene& s) {
+                s.disc->warp = {{4.0, 10.0}, {0.0, 20.0}, {0.0, 30.0}, {}};
+            },
+            nullptr,
+            disc_shape_keys()};
+}
+
 // Whether some of its first image may lie between the rays of two pixels. Its rims are ellipses with half axes a and a |cos(theta)|, a in px
 // by the camera's distance and theta its angle to the disc's axis: the ends of the outer one are narrower than a pixel where a/(8 b^2) px are left of its length, b the minor half
 // axis; between the rims there are as many px above and below the hole as their minor half axes differ by.
@@ -102,7 +130,7 @@ Feature narrow_disc() {
             [](const FrameFacts& f) {
                 if (!f.so_far.contains(Effect::kRefine) || !f.so_far.contains(Effect::kDisc)) return kNot;
                 return reason_if(
-                    is_narrow(f.scene),
+                    !disc_warps(f.scene) && is_narrow(f.scene),
                     fmt::format("camera.theta = {:.4g}, disc.inner = {:.4g}, disc.outer = {:.4g}",
                                 180.0 / M_PI * f.scene.camera.theta, f.scene.disc->inner, f.scene.disc->outer));
             },
@@ -147,10 +175,7 @@ std::span<const Feature> disc_features() {
              if (!f.scene.disc || !is_pattern(f.scene.disc->material.texture)) return kNot;
              return fmt::format("disc.texture = \"{}\"", texture_name(f.scene.disc->material.texture));
          },
-         [](Scene& s) {
-             s.disc->material.texture = TextureKind::kImage;
-             s.disc->image.clear();
-         },
+         without_disc_texture,
          glowing<false, false>,
          [](Scene& s) { s.disc->material.texture = TextureKind::kPlain; },
          glows},
@@ -231,15 +256,13 @@ std::span<const Feature> disc_features() {
         {{Effect::kDiscGas, "disc-gas", "EFFECT_DISC_GAS", "The disc is turbulent gas, wound up by its rotation.",
           "disc.texture is \"gas\"", "four hashes an octave, as many octaves as a crossing's footprint shows"},
          [](const FrameFacts& f) { return reason_if(is_gas(f.scene), "disc.texture = \"gas\""); },
-         [](Scene& s) {
-             s.disc->material.texture = TextureKind::kImage;
-             s.disc->image.clear();
-         },
+         without_disc_texture,
          glowing<false, false>,
          [](Scene& s) { s.disc->material.texture = TextureKind::kGas; },
          glows,
          gas_keys()},
         leaning_disc(),
+        warped_disc(),
     });
     return features;
 }

@@ -101,7 +101,7 @@ bool has_tiles(const EffectSet& effects) {
     return has_marched(effects) && !effects.contains(Effect::kSides) && !effects.contains(Effect::kSpinFall);
 }
 bool tiles_classify_disc(const EffectSet& effects) {
-    return effects.contains(Effect::kDisc) && ends_are_plain(effects);
+    return effects.contains(Effect::kDisc) && !effects.contains(Effect::kDiscWarp) && ends_are_plain(effects);
 }
 bool tiles_classify_full_disc(const EffectSet& effects) {
     return tiles_classify_disc(effects) && light_path_kind(effects) == LightPathKind::kPlanar;

@@ -83,6 +83,7 @@ enum class Effect {
     kDiscLean,
     kSphereTurn,
     kCaps,
+    kDiscWarp,
     kEnd  // no effect: how many there are
 };
 // That there is a medium of a kind.

@@ -14,6 +14,7 @@
 #include "plan/moving.h"
 #include "plan/sides.h"
 #include "reference/reference.h"
+#include "scene/disc_shape.h"
 #include "scene/leaning_disc.h"
 #include "scene/projection.h"
 #include "spacetime/registry.h"
@@ -41,6 +42,10 @@ Status check_there(const Spacetime& spacetime, const Scene& scene) {
     return sides ? check_glow(spacetime, scene) : sides;
 }
 
+std::shared_ptr<const DiscShape> shared_shape(const Scene& scene) {
+    return disc_warps(scene) ? std::make_shared<const DiscShape>(*scene.disc, scene.time) : nullptr;
+}
+
 }  // namespace
 
 Result<FrameTracer> FrameTracer::make(const Scene& given) {
@@ -50,7 +55,7 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     scene.camera = *plain;
     FrameTracer tracer;
     tracer.camera_ = scene.camera;
-    tracer.disc_ = scene.disc, tracer.plane_ = disc_plane_of(scene);
+    tracer.disc_ = scene.disc, tracer.plane_ = disc_plane_of(scene), tracer.shape_ = shared_shape(scene);
     const CameraSpec& camera = scene.camera;
     if (camera.width < 1 || camera.height < 1)
         return bad_input(fmt::format("camera: size {}x{} must be at least 1x1", camera.width, camera.height));
@@ -86,8 +91,8 @@ Result<FrameTracer> FrameTracer::make(const Scene& given) {
     tracer.bodies_ = std::make_shared<Bodies>(scene, *tracer.matter_);
     const bool late = scene.light.delay && !moving_parts(scene).empty(),
                disc_moves = scene.disc && (!scene.spots.empty() || scene.disc->flow != DiscFlowKind::kStill);
-    RayTask task{tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0, nullptr, false,
-                 tracer.plane_};
+    RayTask task{tracer.bodies_.get(), late, late && disc_moves, scene.disc ? kMostCrossings : 0};
+    task.plane = tracer.plane_, task.shape = tracer.shape_.get();
     TRY(rays, tracer.matter_->rays(scene, **spacetime, task));
     tracer.rays_ = tracer.bare_rays_ = std::move(*rays);
     if (tracer.medium_) {
@@ -131,9 +136,12 @@ std::vector<RayPtr> FrameTracer::rays(const std::vector<std::array<double, 2>>& 
 std::vector<DiscHit> FrameTracer::disc_hits(const TracedRay& ray, int max_hits) const {
     std::vector<DiscHit> hits;
     if (!disc_) return hits;
-    for (const PlaneCrossing& c : ray.crossings(max_hits, disc_->inner, disc_->outer))
+    for (const PlaneCrossing& c : ray.crossings(shape_ ? kMostCrossings : max_hits, disc_->inner, disc_->outer)) {
+        if (shape_ && !(shape_->within(c.r) >= 0)) continue;
+        if (static_cast<int>(hits.size()) == max_hits) break;
         hits.push_back(
             {c.along, c.r * std::cos(c.bearing), c.r * std::sin(c.bearing), c.climb, c.delay, c.l, c.cosine, c.across});
+    }
     return hits;
 }
 
@@ -178,7 +186,8 @@ RayPixel FrameTracer::pixel_of(const TracedRay& traced, bool with_delay) const {
     }
     if (!hits.empty() && !(body && body->along < hits.front().along)) {
         pixel.hit = kDiscHit;
-        const Vec3 place = plane_.place(hits.front().x, hits.front().y);
+        const double x = hits.front().x, y = hits.front().y;
+        const Vec3 place = (shape_ ? shape_->plane(std::hypot(x, y)) : plane_).place(x, y);
         pixel.u = place.x, pixel.v = place.y, pixel.w = place.z;
         if (disc_->opacity == 1) {
             pixel.fate = Fate::kHit;

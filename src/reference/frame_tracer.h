@@ -59,7 +59,8 @@ private:
     RayPixel pixel_of(const TracedRay& traced, bool with_delay) const;
     CameraSpec camera_;
     std::optional<DiscSpec> disc_;
-    DiscPlane plane_;  // of the disc
+    DiscPlane plane_;                         // of the disc
+    std::shared_ptr<const DiscShape> shape_;  // of one that is warped or has gaps
     std::shared_ptr<const Metric> matter_;
     std::shared_ptr<const Bodies> bodies_;
     std::shared_ptr<const Medium> medium_;

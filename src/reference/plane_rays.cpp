@@ -7,6 +7,7 @@
 #include "reference/medium.h"
 #include "reference/plane_metrics.h"
 #include "reference/plane_ray.h"
+#include "reference/warped_crossings.h"
 #include "scene/projection.h"
 
 namespace nullscope::reference {
@@ -73,8 +74,12 @@ double OrbitMetric::lapse2_slope(double r) const {
 std::vector<PlaneCrossing> PlaneRay::crossings(int most, double inner, double outer) const {
     std::vector<PlaneCrossing> list;
     std::optional<LightClock> clock;
+    const std::vector<double> warped = task_.shape != nullptr && most > 0
+                                           ? warped_crossings(*this, *task_.shape, task_.crossings)
+                                           : std::vector<double>();
     for (int k = 1; static_cast<int>(list.size()) < most; ++k) {
-        const double angle = plane_.crossing(k);
+        if (task_.shape != nullptr && k > static_cast<int>(warped.size())) break;
+        const double angle = task_.shape != nullptr ? warped[static_cast<std::size_t>(k - 1)] : plane_.crossing(k);
         if (!(angle < end())) break;
         const double r = radius_at(angle);
         if (!(r >= inner && r <= outer)) continue;
@@ -85,10 +90,11 @@ std::vector<PlaneCrossing> PlaneRay::crossings(int most, double inner, double ou
         PlaneCrossing crossing{
             angle, r,  phi, std::sqrt(std::max(cosine2, 0.0)) * (outward ? 1 : -1), crossing_delay(angle, clock),
             l_z,   phi};
-        if (task_.leans()) {  // the photon comes against the ray
+        if (task_.leans() || task_.shape != nullptr) {  // the photon comes against the ray
+            const DiscPlane plane = task_.shape != nullptr ? task_.shape->plane(r) : task_.plane;
             const Vec3 at = plane_.direction(angle);
-            crossing.l = -photon_.l * dot(plane_.axis(), task_.plane.normal);
-            crossing.bearing = std::atan2(dot(at, task_.plane.y), dot(at, task_.plane.x));
+            crossing.l = -photon_.l * dot(plane_.axis(), plane.normal);
+            crossing.bearing = std::atan2(dot(at, plane.y), dot(at, plane.x));
         }
         list.push_back(crossing);
     }

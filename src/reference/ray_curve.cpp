@@ -9,6 +9,7 @@
 #include "reference/bodies.h"
 #include "reference/plane_stretch.h"
 #include "reference/ray_stretch.h"
+#include "scene/disc_shape.h"
 #include "scene/leaning_disc.h"
 #include "spacetime/registry.h"
 
@@ -242,12 +243,12 @@ struct End {
     double along = kNowhere, r = kNowhere;
 };
 // Of the first body and of the opaque disc.
-End first_end(const TracedRay& ray, const Scene& scene) {
+End first_end(const TracedRay& ray, const Scene& scene, const std::optional<DiscShape>& shape) {
     End end;
     if (const auto hit = ray.first_hit()) end = {hit->along, length(hit->place)};
     if (scene.disc && scene.disc->opacity >= 1.0)
-        for (const PlaneCrossing& c : ray.crossings(1, scene.disc->inner, scene.disc->outer))
-            if (c.along < end.along) end = {c.along, c.r};
+        for (const PlaneCrossing& c : ray.crossings(shape ? kDiscCrossings : 1, scene.disc->inner, scene.disc->outer))
+            if (c.along < end.along && (!shape || shape->within(c.r) >= 0)) end = {c.along, c.r};
     return end;
 }
 
@@ -280,8 +281,10 @@ Result<std::vector<CurvePoint>> CurveTracer::curve(const RayQuery& query, const 
     const Parts& p = *parts_;
     RayTask task{p.bodies.get(), p.scene.light.delay, false, p.scene.disc ? kDiscCrossings : 0};
     task.plane = disc_plane_of(p.scene);
+    const auto shape = disc_shape_of(p.scene);
+    if (shape) task.shape = &*shape;
     TRY(traced, p.metric->ray(query, task));
-    const End end = first_end(**traced, p.scene);
+    const End end = first_end(**traced, p.scene, shape);
     Bounds bounds{spec.farthest, 0, end.along, spec};
     if (const auto horizon = p.spacetime->horizon_radius()) bounds.least = *horizon * (1 + kCurveAbove);
     Walk walk;

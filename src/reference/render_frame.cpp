@@ -26,10 +26,12 @@ double smoothstep(double edge, double x) {
     return t * t * (3 - 2 * t);
 }
 
-// What the disc has at this radius of its opacity.
+// What the disc has at this radius, which is on one of its rings, of its opacity.
 double within_rims(const DiscSpec& disc, double r) {
-    return disc.edge > 0 ? smoothstep(disc.edge, std::min(r - disc.inner, disc.outer - r) / (disc.outer - disc.inner))
-                         : 1.0;
+    if (!(disc.edge > 0)) return 1.0;
+    double depth = std::min(r - disc.inner, disc.outer - r);
+    for (const double end : disc.warp.rings) depth = std::min(depth, std::abs(r - end));
+    return smoothstep(disc.edge, depth / (disc.outer - disc.inner));
 }
 
 // Colour and coverage of the disc at (x, y): the image's square covers [-outer, outer]^2, turned by rotation, row 0 at

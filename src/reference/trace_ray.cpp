@@ -8,6 +8,7 @@
 #include "reference/metric.h"
 #include "reference/plane_ray.h"
 #include "reference/reference.h"
+#include "scene/disc_shape.h"
 #include "scene/leaning_disc.h"
 
 namespace nullscope::reference {
@@ -37,6 +38,8 @@ Result<RayRecord> trace_ray(const Scene& scene, const RayQuery& query, int cross
     const Bodies bodies(scene, **metric);
     RayTask task{&bodies, scene.light.delay, false, crossings};
     task.plane = disc_plane_of(scene);
+    const auto shape = disc_shape_of(scene);
+    if (shape) task.shape = &*shape;
     TRY(traced, (*metric)->ray(asked, task));
     const TracedRay& ray = **traced;
     const auto hit = ray.first_hit();

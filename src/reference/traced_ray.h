@@ -18,6 +18,10 @@
 #include "scene/disc_plane.h"
 #include "scene/ray.h"
 
+namespace nullscope {
+class DiscShape;
+}
+
 namespace nullscope::reference {
 
 class Bodies;
@@ -76,6 +80,8 @@ struct RayTask {
     const Medium* medium = nullptr;  // that lights and dims rays; outlives them
     bool many = false;               // there are so many rays that a grid of them pays (light_times.h)
     DiscPlane plane{};
+    const DiscShape* shape =
+        nullptr;  // of a disc that is warped or has gaps, whose crossings are meant then; outlives them
     bool leans() const { return plane.normal != Vec3{0, 0, 1}; }  // from the equator
 };
 

@@ -3,6 +3,7 @@
 #include "base/assets.h"
 #include "base/stopwatch.h"
 #include "plan/medium.h"
+#include "render/disc_warp_row.h"
 #include "render/frame_textures.h"
 #include "scene/bodies.h"
 #include "scene/disc_emissivity.h"
@@ -58,6 +59,7 @@ Status FrameInputs::begin(const FrameTables& tables, const Method& method, std::
     load_heat(tables);
     load_black_body(tables.effects());
     load_electrons(tables);
+    load_disc_warp(tables);
     load_tables(tables, method);
     return Done{};
 }
@@ -159,6 +161,17 @@ void FrameInputs::load_electrons(const FrameTables& tables) {
     electrons_key_ = key;
 }
 
+void FrameInputs::load_disc_warp(const FrameTables& tables) {
+    std::optional<std::tuple<double, double, DiscWarp>> key;
+    if (tables.effects().contains(Effect::kDiscWarp)) {
+        const DiscSpec& disc = *tables.plan().scene.disc;
+        key.emplace(disc.inner, disc.outer, disc.warp);
+    }
+    if (key == disc_warp_key_) return;
+    disc_warp_ = key ? texture_of(disc_warp_row(*tables.plan().scene.disc)) : gl::Texture();
+    disc_warp_key_ = std::move(key);
+}
+
 void FrameInputs::load_table(const FrameTables& tables, const Method& method) {
     const Scene& scene = tables.plan().scene;
     if (tables.path().table() == nullptr || method.kind != MethodKind::kTable) {
@@ -190,7 +203,8 @@ void FrameInputs::bind() const {
                                            {"star_lens_texture", &star_lens_},
                                            {"clearance_texture", &clearances_},
                                            {"ball_path_texture", &ball_paths_},
-                                           {"electron_texture", &electrons_}})
+                                           {"electron_texture", &electrons_},
+                                           {"disc_warp_texture", &disc_warp_}})
         gl::bind_texture_2d(unit_of(sampler), *texture);
     gl::bind_texture_2d(unit_of("warp_texture"), warp_.texture());
     gl::bind_texture_layers(unit_of("medium_texture"), medium_.texture());
@@ -227,6 +241,7 @@ std::vector<TextureLine> FrameInputs::lines(const FrameTables& tables) const {
             add(body_image_name(tables.plan().scene, image), picture.width, picture.height, kPicture);
     if (flow_key_) add("disc flow", kDiscFlowCells + 1, kDiscFlowRows, kTexel);
     if (black_body_) add("black body", kBlackBodyCells + 1, 1, kTexel);
+    if (disc_warp_) add("disc warp", kDiscWarpCells + 1, 1, kTexel);
     if (electrons_) add("electrons", kElectronCells + 1, kElectronRows, kTexel);
     if (warp_.rows() > 0) add("warp mesh", kWarpRow, warp_.rows(), kTexel);
     if (const MediumGrid* grid = medium_.grid())

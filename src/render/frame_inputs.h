@@ -36,9 +36,10 @@ class FrameInputs {
 public:
     // Units of textures by the samplers' names; those of the images on bodies follow.
     static constexpr const char* kSamplers[] = {
-        "strip_texture",     "orbit_texture",      "sky_texture",         "disc_texture",       "table_texture",
-        "ends_texture",      "other_side_texture", "disc_matter_texture", "black_body_texture", "star_lens_texture",
-        "clearance_texture", "ball_path_texture",  "warp_texture",        "medium_texture",     "electron_texture"};
+        "strip_texture",      "orbit_texture",     "sky_texture",        "disc_texture",
+        "table_texture",      "ends_texture",      "other_side_texture", "disc_matter_texture",
+        "black_body_texture", "star_lens_texture", "clearance_texture",  "ball_path_texture",
+        "warp_texture",       "medium_texture",    "electron_texture",   "disc_warp_texture"};
     static constexpr int unit_of(std::string_view sampler) {
         return static_cast<int>(std::ranges::find(kSamplers, sampler) - std::begin(kSamplers));
     }
@@ -73,13 +74,14 @@ private:
     void load_table(const FrameTables& tables, const Method& method);
     void load_heat(const FrameTables& tables);
     void load_black_body(const EffectSet& effects);
+    void load_disc_warp(const FrameTables& tables);
     void load_electrons(const FrameTables& tables);
 
     gl::Info info_;
     int largest_picture_ = std::min(info_.max_texture_size, kLargestPicture);
     int rows_revision_ = -1, clearances_revision_ = 0;
     gl::Texture strip_, ends_, orbit_table_, ball_paths_, clearances_, table_, disc_flow_, black_body_, star_lens_,
-        electrons_;
+        electrons_, disc_warp_;
     std::optional<ElectronEnergies> electrons_key_;              // of electrons_
     std::optional<std::pair<SpacetimeSpec, Method>> table_key_;  // of table_
     std::size_t table_bytes_ = 0;
@@ -95,8 +97,9 @@ private:
     bool keep_finer_sky_ = false;
     std::optional<
         std::tuple<SpacetimeSpec, Sense, std::optional<double>, double, double, bool, bool, bool, EmissivitySpec>>
-        flow_key_;    // of disc_flow_: its sense and radii, parts of g, its heat
-    struct Hottest {  // ring of the disc, where accretion heats it
+        flow_key_;  // of disc_flow_: its sense and radii, parts of g, its heat
+    std::optional<std::tuple<double, double, DiscWarp>> disc_warp_key_;  // of disc_warp_: radii, rows
+    struct Hottest {                                                     // ring of the disc, where accretion heats it
         std::optional<AccretionSpec> by;
         SpacetimeSpec about;
         Sense sense = Sense::kEastward;

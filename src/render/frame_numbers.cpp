@@ -9,7 +9,7 @@
 #include "observer/screen_form.h"
 #include "render/body_numbers.h"
 #include "render/medium_numbers.h"
-#include "scene/disc_plane.h"
+#include "scene/disc_shape.h"
 #include "scene/orbit_sense.h"
 #include "scene/projection.h"
 #include "scene/ray.h"
@@ -122,7 +122,7 @@ void put_sky(FrameData& frame, const FramePlan& plan, const TextureFacts& textur
 void put_disc(FrameData& frame, const FramePlan& plan, const TextureFacts& textures) {
     const Scene& scene = plan.scene;
     const DiscSpec disc = scene.disc.value_or(DiscSpec{});
-    const DiscPlane plane = disc_plane(disc.lean, scene.time);
+    const DiscPlane plane = DiscShape(disc, scene.time).base();
     const Vec3 outward = world_from_static(scene.camera.theta, scene.camera.phi).a;
     frame.disc_normal = {plane.normal, height_over(plane, outward)};
     frame.disc_x = {plane.x, scene.disc ? disc.inner : 1e30};  // no disc: no radius is on it

@@ -178,6 +178,8 @@ Result<std::vector<FrameTexture>> frame_textures(const FrameTables& tables) {
     if (effects.contains(Effect::kThermalDisc))
         to.add("disc flow", 1, kDiscFlowCells + 1, kDiscFlowRows, kTexel * (kDiscFlowCells + 1) * kDiscFlowRows,
                is<Effect::kThermalDisc>);
+    if (effects.contains(Effect::kDiscWarp))
+        to.add("disc warp", 1, kDiscWarpCells + 1, 1, kTexel * (kDiscWarpCells + 1), is<Effect::kDiscWarp>);
     if (uses_black_body(effects) || effects.contains(Effect::kPointStars))
         to.add("black body", 1, kBlackBodyCells + 1, 1, kTexel * (kBlackBodyCells + 1), shades);
     if (effects.contains(Effect::kMediumElectrons))

@@ -11,6 +11,7 @@
 #include "base/vec.h"
 #include "scene/disc_heat_spec.h"
 #include "scene/disc_plane.h"
+#include "scene/disc_warp.h"
 #include "scene/known_object.h"
 #include "scene/medium_spec.h"
 #include "scene/polarisation_spec.h"
@@ -193,6 +194,7 @@ struct DiscSpec {
     DiscFlowKind flow = DiscFlowKind::kStill;
     OrbitSense sense = OrbitSense::kEastward;  // of its matter: thermal light and flow
     DiscLean lean{};                           // of its plane
+    DiscWarp warp{};                           // from that plane, and its gaps
     double flow_life = 40.0;                   // kKepler, r_s/c: for which a copy of the pattern is sheared
     // Only colours, formula, columns and rows are used; with texture kImage the picture is `image`. u = 1/2 + azimuth/2 pi,
     // v = (r - inner)/(outer - inner); x, y: the point in the disc, z = 0.

@@ -17,12 +17,14 @@
 #include "plan/metric_faults.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
+#include "scene/disc_shape.h"
 #include "scene/medium_dumps.h"
 #include "scene/orbit_sense.h"
 #include "scene/picture_size.h"
 #include "scene/projection.h"
 #include "scene/warp_mesh.h"
 #include "scenefile/disc_orbit_check.h"
+#include "scenefile/disc_shape_check.h"
 #include "scenefile/emissivity_check.h"
 #include "scenefile/path_values.h"
 #include "scenefile/projection_words.h"
@@ -369,6 +371,8 @@ std::vector<SceneFault> check_parts(const Scene& scene, const GivenKeys& given) 
     Faults faults = check_path(scene);
     append(faults, check_disc(scene, world, given));
     append(faults, emissivity_faults(world.get(), scene, given));
+    append(faults, disc_shape_faults(world.get(), scene, given));
+    if (other && disc_warps(scene)) append(faults, of_right_half(disc_shape_faults(other.get(), scene, given)));
     if (other) append(faults, of_right_half(emissivity_faults(other.get(), scene, given)));
     if (world) append(faults, disc_orbit_faults(*world, scene));
     if (other) append(faults, of_right_half(disc_orbit_faults(*other, scene)));

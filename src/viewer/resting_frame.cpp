@@ -25,8 +25,9 @@ bool same_rays(const Scene& a, const Scene& b) {
         return false;
     if (changes_with_time(a) && (a.time != b.time || a.light.delay != b.light.delay)) return false;
     if (a.disc.has_value() != b.disc.has_value()) return false;
-    return !a.disc || (a.disc->inner == b.disc->inner && a.disc->outer == b.disc->outer &&
-                       a.disc->lean == b.disc->lean && (a.disc->opacity < 1.0) == (b.disc->opacity < 1.0));
+    return !a.disc ||
+           (a.disc->inner == b.disc->inner && a.disc->outer == b.disc->outer && a.disc->lean == b.disc->lean &&
+            a.disc->warp == b.disc->warp && (a.disc->opacity < 1.0) == (b.disc->opacity < 1.0));
 }
 
 }  // namespace

@@ -46,6 +46,8 @@ THINGS = {
     "disc-gas": {"disc": {**DISC, "texture": "gas", "gas_contrast": 0.3}},
     "disc-gas-flow": {"disc": {**DISC, "texture": "gas", "gas_contrast": 0.3, "flow": "kepler", "opacity": 0.6}},
     "disc-clear": {"disc": {**DISC, "opacity": 0.4, "edge": 0.3}},
+    "disc-warped": {"disc": {**DISC, "opacity": 0.7, "tilt": 20.0, "warp_radii": [3.0, 5.0, 9.0], "warp_tilts": [0.0, 25.0, 40.0], "warp_nodes": [0.0, 40.0, 60.0]}},
+    "disc-rings": {"disc": {**DISC, "rings": [3.2, 4.5, 5.2, 7.0]}},
     "disc-leaning": {"disc": {**DISC, "opacity": 0.7, "tilt": 35.0, "node": 60.0}},
     "spot": {"disc": {**DISC, "opacity": 0.0, "colour": [0.0, 0.0, 0.0]}, "spot": [{"r": 4.5, "size": 0.9, "brightness": 3.0, "count": 3}]},
     "ball": {"ball": [BALL]},
@@ -195,6 +197,7 @@ ROTATING = {"kerr", "kerr-newman"}
 PARTS = {"doppler", "gravity", "aberration", "lensing"}
 SPLITS = {"split-metric", "split-flat", "split-delay"}
 ALL = set(METRICS)
+WARPED = {"disc-warped", "disc-rings"}
 
 # What is refused, and words of the message: where each factor that is named has one of the values. The rest must be drawn.
 REFUSED = [
@@ -205,6 +208,8 @@ REFUSED = [
     ({"metric": ALL - {"kerr", "minkowski"}, "thing": {"matter-grid"}}, "its matter is about a hole|no matter along rays"),
     ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MATTER_THINGS}, "no matter along rays"),
     ({"metric": set(WORMHOLES), "thing": things("disc") | {"spot"}}, "no discs in a wormhole"),
+    ({"metric": ROTATING, "thing": WARPED}, "rays keep to no plane"),
+    ({"thing": WARPED, "extra": {"zoom"}}, "has a warp or rings"),
     ({"metric": set(WORMHOLES), "thing": things("sphere")}, "about the throat"),
     ({"metric": set(WORMHOLES), "thing": {"ball-orbit", "ball-geodesic", "ball-path"}}, "is not available in|motion is not supported in a wormhole"),
     ({"metric": {*WORMHOLES, *FORMULAS}, "thing": MOVING, "switch": set(SWITCHES) - {"delay"}}, "is not available in"),

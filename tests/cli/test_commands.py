@@ -67,7 +67,7 @@ class Commands(support.CliTest):
         for name in ("Axel Mellinger", "proper credit", "Hipparcos", "d3-celestial"):
             self.assertIn(name, self.run_nullscope("--credits").out)
 
-    TABLES = ("deflection table", "strip", "ray ends", "orbit table", "light-time table", "star lens", "ball paths", "black body", "disc flow", "medium grid")
+    TABLES = ("deflection table", "strip", "ray ends", "orbit table", "light-time table", "star lens", "ball paths", "black body", "disc flow", "disc warp", "medium grid")
 
     @support.costly
     def test_scenes_are_listed_and_planned(self):
@@ -184,7 +184,7 @@ class Commands(support.CliTest):
         self.assertEqual(list(reasons), ["lensing", "aberration", "disc", "disc-image", "translucent-disc", "refine"])
         self.assertIn("0.5", reasons["aberration"])
         left_out = [e["effect"] for e in found["left_out"]]
-        self.assertEqual([left_out.pop() for _ in range(3)], ["caps", "sphere-turn", "disc-lean"])
+        self.assertEqual([left_out.pop() for _ in range(4)], ["disc-warp", "caps", "sphere-turn", "disc-lean"])
         media = [effect for effect in left_out if effect.startswith("medium-")]   # models of matter, and what they have
         self.assertEqual(left_out[-len(media):], media)
         self.assertLessEqual({"medium-gas", "medium-flow", "medium-formula", "medium-grid", "medium-motion", "medium-black-body", "medium-synchrotron", "medium-polarisation", "medium-bands"}, set(media))

@@ -36,6 +36,7 @@ Names textures_for(const EffectSet& effects, const Scene& scene) {
     if (effects.contains(Effect::kSurface)) names.insert("surface clearance");
     if (effects.contains(Effect::kDiscImage)) names.insert("disc image");
     if (effects.contains(Effect::kThermalDisc)) names.insert("disc flow");
+    if (effects.contains(Effect::kDiscWarp)) names.insert("disc warp");
     if (uses_black_body(effects)) names.insert("black body");
     if (effects.contains(Effect::kPointStars)) names.insert({"stars", "black body"});
     if (effects.contains(Effect::kPointStars) && lensing) names.insert("star lens");
@@ -140,6 +141,8 @@ std::vector<Scene> full_scenes() {
     Scene& leaning = scenes.emplace_back();
     leaning.spacetime.metric = "kerr", leaning.spacetime.parameters["spin"] = 0.5;
     leaning.sky.kind = SkyKind::kBlack, leaning.disc.emplace().lean = {0.5, 0.3};
+    Scene& warped = scenes.emplace_back();
+    warped.sky.kind = SkyKind::kBlack, warped.disc.emplace().warp = {{3, 12}, {0, 30}, {0, 0}, {3, 5, 6, 12}};
     Scene& polarised = scenes.emplace_back(scenes[8]);
     polarised.medium->field_direction = FieldDirection::kEast, polarised.medium->polarisation = true;
     Scene& bands = scenes.emplace_back(scenes[8]);

@@ -156,6 +156,7 @@ const std::vector<Mark> kMarks = {
     {Effect::kMediumBands, {"medium_bands(", "law_band", "vec4 medium_band_0;"}},
     {Effect::kDiscGas, {"disc_gas(", "disc_gas_gaps(", "vec4 disc_gas;"}},
     {Effect::kDiscLean, {"leaning_height(", "leaning_u_t(", "leaning_dip("}},
+    {Effect::kDiscWarp, {"disc_warp_texture", "disc_ring(", "warped_step("}},
     {Effect::kSphereTurn, {"sphere_turn(", "SPHERE_TURN"}},
     {Effect::kCaps, {"cap_cover(", "with_caps(", "CAP_COUNT"}},
 };
