@@ -14,6 +14,7 @@
 #include "cli/line_subject.h"
 #include "command/json.h"
 #include "command/options.h"
+#include "context/context.h"
 #include "fit/nuisance.h"
 #include "fit/report.h"
 #include "fit/subject.h"
@@ -25,7 +26,8 @@ namespace {
 
 struct FitCommandOptions {
     std::vector<std::string> set;  // scenefile/scene_override.h
-    std::string data, scene, free, sigma, mask, nuisance, loss = "huber", output, context = "auto";
+    std::string data, scene, free, sigma, mask, nuisance, loss = "huber", output;
+    ContextChoice context;
     std::optional<int> samples, seed;
     int starts = 4;
     bool json = false;

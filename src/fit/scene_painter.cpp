@@ -13,7 +13,7 @@ ScenePainter::ScenePainter(SceneFamily family, cli::Session session)
     drawing_.listener.progress = [](const std::string&, long long) { return Advance([](long long) {}); };
 }
 
-Result<std::shared_ptr<ScenePainter>> ScenePainter::open(SceneFamily family, const std::string& context) {
+Result<std::shared_ptr<ScenePainter>> ScenePainter::open(SceneFamily family, const ContextChoice& context) {
     TRY(scene, family.somewhere());
     if (scene->split || scene->camera.stereo != Stereo::kOff)
         return bad_input("a fit is to one picture", "no [split] and no camera.stereo");

@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "command/capture_picture.h"
 #include "command/session.h"
+#include "context/context.h"
 #include "fit/free_parameters.h"
 
 namespace nullscope::fit {
@@ -20,7 +21,7 @@ struct PaintedSize {
 class ScenePainter {
 public:
     // context: of OpenGL. Errors: no context; a scene of several pictures.
-    static Result<std::shared_ptr<ScenePainter>> open(SceneFamily family, const std::string& context);
+    static Result<std::shared_ptr<ScenePainter>> open(SceneFamily family, const ContextChoice& context);
 
     struct Painted {
         Scene scene;
