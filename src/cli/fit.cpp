@@ -14,7 +14,6 @@
 #include "cli/line_subject.h"
 #include "command/json.h"
 #include "command/options.h"
-#include "context/context.h"
 #include "fit/nuisance.h"
 #include "fit/report.h"
 #include "fit/subject.h"

@@ -8,7 +8,6 @@
 #include "base/result.h"
 #include "command/capture_picture.h"
 #include "command/session.h"
-#include "context/context.h"
 #include "fit/free_parameters.h"
 
 namespace nullscope::fit {
