@@ -19,7 +19,7 @@ std::optional<PictureData> for_search(const PictureData& data) {
 
 }  // namespace
 
-Result<Subject> picture_subject(std::shared_ptr<ScenePainter> painter, const PictureSources& sources,
+Result<Subject> picture_subject(const std::shared_ptr<ScenePainter>& painter, const PictureSources& sources,
                                 std::optional<int> samples) {
     TRY(data, load_picture_data(sources));
     Subject subject{data->observed(std::filesystem::path(sources.data).filename().string()), nullptr};

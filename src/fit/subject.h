@@ -33,7 +33,7 @@ Result<Fitted> fit_subject(Subject& subject, const std::vector<FreeParameter>& f
 void make_finer(Subject& subject, std::optional<int> samples, std::unique_ptr<PaintedModel> model);
 
 // A picture; samples: rays along each side of a pixel, nothing: as many as it takes for the answer to stay.
-Result<Subject> picture_subject(std::shared_ptr<ScenePainter> painter, const PictureSources& sources,
+Result<Subject> picture_subject(const std::shared_ptr<ScenePainter>& painter, const PictureSources& sources,
                                 std::optional<int> samples);
 
 }  // namespace nullscope::fit

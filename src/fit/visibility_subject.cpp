@@ -108,7 +108,7 @@ private:
 
 }  // namespace
 
-Result<Subject> visibility_subject(std::shared_ptr<ScenePainter> painter, const VisibilitySources& sources,
+Result<Subject> visibility_subject(const std::shared_ptr<ScenePainter>& painter, const VisibilitySources& sources,
                                    std::optional<int> samples) {
     TRY(data, read_visibilities(sources.data, sources.sigma));
     TRY(scene, painter->family().somewhere());

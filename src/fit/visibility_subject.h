@@ -18,7 +18,7 @@ struct VisibilitySources {
 // Real and imaginary part of each line; where the table has none, its amplitude. The picture has the scene's own size; samples: as
 // picture_subject(). Errors (bad input): file, line and column of the first fault; the picture has no scale on the sky; of table and picture one is in
 // Jy, and the flux is not free.
-Result<Subject> visibility_subject(std::shared_ptr<ScenePainter> painter, const VisibilitySources& sources,
+Result<Subject> visibility_subject(const std::shared_ptr<ScenePainter>& painter, const VisibilitySources& sources,
                                    std::optional<int> samples);
 
 }  // namespace nullscope::fit

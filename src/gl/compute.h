@@ -22,7 +22,7 @@ std::optional<StoredImage> stored_image(unsigned framebuffer);
 struct Stored {
     Format format = Format::kRgba32F;
     bool adds = false;
-    auto operator<=>(const Stored&) const = default;
+    auto operator<=>(const Stored&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 inline bool adds(const Layer& layer) { return layer.share < 1.0 && !layer.replaces; }
 

@@ -1,4 +1,5 @@
 #include "render/frame_textures.h"
+#include "render/disc_warp_row.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
