@@ -1,5 +1,4 @@
 #include "render/frame_textures.h"
-#include "render/disc_warp_row.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +12,7 @@
 #include "plan/dump_window.h"
 #include "render/bloom.h"
 #include "render/body_images.h"
+#include "render/disc_warp_row.h"
 #include "render/renderer.h"
 #include "render/sky_faces.h"
 #include "render/warp_texture.h"
