@@ -20,7 +20,9 @@ Format filtered_light() { return filters_floats ? Format::kRgba32F : Format::kRg
 // WebGL2 has no compute shaders.
 bool computes() { return false; }
 std::optional<StoredImage> stored_image(unsigned) { return std::nullopt; }
-ComputeProgram make_compute_program(const std::string&, Format) { return {}; }
+ComputeProgram make_compute_program(const std::string&, Stored) { return {}; }
+void TileList::find(const Program&, int, int) {}
+void compute_tiles(const Program&, const StoredImage&, const TileList&, int, int, const Layer&) {}
 void compute_rows(const Program&, const StoredImage&, int, int, int, const Layer&) {}
 void compute_rows(const Program&, const Target&, int, int, int) {}
 
