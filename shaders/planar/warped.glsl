@@ -5,6 +5,7 @@
 #include "core/orbit.glsl"
 #endif
 #include "core/plane_search.glsl"
+#include "core/trig.glsl"
 #include "object/disc_rim.glsl"
 #include "object/disc_shape.glsl"
 #include "planar/trace.glsl"
@@ -56,8 +57,9 @@ vec3 warped_forward(Trace trace) { return sideways(trace.side) / trace_sine(trac
 WarpedPlace warped_at(Trace trace, float phi) {
     WarpedPlace at;
     at.phi = phi;
-    float c = cos(phi);
-    float s = sin(phi);
+    vec2 swept = sine_cosine(phi);
+    float c = swept.y;
+    float s = swept.x;
 #ifdef EFFECT_LENSING
     OrbitPoint point = orbit_point(trace.escapes, trace.ray.u, trace.ray.slope, phi, trace.phi_end, trace.phi_end_slope);
     at.zeta = max(point.zeta, 1.0e-12);
@@ -189,13 +191,14 @@ DiscCrossing disc_walk_crossing(Trace trace, DiscWalk walk) {
     crossing.zeta_slope = at.along;
 #endif
     vec3 forward = warped_forward(trace);
-    vec3 outward = cos(at.phi) * radial_direction() + sin(at.phi) * forward;
-    vec3 ahead = cos(at.phi) * forward - sin(at.phi) * radial_direction();
+    vec2 swept = sine_cosine(at.phi);
+    vec3 outward = swept.y * radial_direction() + swept.x * forward;
+    vec3 ahead = swept.y * forward - swept.x * radial_direction();
     DiscAxes axes = disc_axes(crossing.r);
     DiscRing ring = disc_ring(crossing.r);
     float pixel = trace.pixel_angle;
     vec3 along = warped_side(at, ring.slope, ring.normal, outward, ahead, vec3(0.0), at.across * pixel);
-    vec3 around = cross(radial_direction(), forward) * (sin(at.phi) * pixel / trace_sine(trace));
+    vec3 around = cross(radial_direction(), forward) * (swept.x * pixel / trace_sine(trace));
     vec3 across = warped_side(at, ring.slope, ring.normal, outward, ahead, around, 0.0);
     crossing.along = vec2(dot(axes.x, along), dot(axes.y, along));
     crossing.across = vec2(dot(axes.x, across), dot(axes.y, across));

@@ -441,8 +441,9 @@ def test_the_numbers_of_polarised_light_are_those_of_capture(screen, program, fo
 
         def measured():
             v.settle("mousemove", 150, 300, *["click", 5] * 20, measured=True)
-            value = lambda name: min((x, words) for (x, y), words in ((at, w) for w, at in v.layout().words().items())
-                                     if abs(y - v.layout().place(name, "##side")[1]) < 9 and x > 100)[1]
+            seen = v.layout()   # once: rows move while numbers come in
+            value = lambda name: min((x, words) for words, (x, y) in seen.words().items()
+                                     if abs(y - seen.place(name, "##side")[1]) < 9 and x > 100)[1]
             return [float(re.match(percent, value(name))[1]) for name in ("Net linear", "Resolved", "beta_2", "Net circular", "RM")]
         v.click(*v.layout().place("Numbers", "##side"))
         shown = measured()
