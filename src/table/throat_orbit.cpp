@@ -15,7 +15,9 @@ constexpr double kLargestThroatStep = 0.08;  // rad
 constexpr double kPartOfFlare = 0.2;
 constexpr double kFlares = 8.0;                        // from the rim, beyond which steps are long again
 constexpr double kPartOfSky = 0.3, kFirstStep = 1e-4;  // of W next to a sky, where there is a logarithm
-constexpr double kAtRim = 1e-12;                       // of W: taken as on the rim, and set this far beyond it
+constexpr double kAtRim = 1e-12;                       // of W: taken as on the rim
+constexpr double kBehindRim =
+    1.5 * kAtRim;  // and set this far beyond it: within the tube, or out of it, whatever the last digits
 
 using State = OrbitState;  // of W
 
@@ -51,8 +53,8 @@ double longest_step(const Pull& pull, const State& s) {
     return longest;
 }
 
-// A step over a rim, where a derivative of the forces jumps, is taken as two that meet there.
-State over_rim(const Pull& pull, const State& s, double h, double rim) {
+// Of a step over a rim, where a derivative of the forces jumps: to there. h: what it may take, then what it took.
+State to_rim(const Pull& pull, const State& s, double& h, double rim) {
     double low = 0.0, high = h, low_value = s.at - rim, high_value = step(pull, s, h).at - rim;
     double part = h;
     for (int i = 0; i < 40 && high - low > 1e-15 * h; ++i) {
@@ -65,8 +67,9 @@ State over_rim(const Pull& pull, const State& s, double h, double rim) {
             high = part, high_value = value;
     }
     State there = step(pull, s, part);
-    there.at = rim + std::copysign(kAtRim, there.slope);
-    return step(pull, there, h - part);
+    there.at = rim + std::copysign(kBehindRim, there.slope);
+    h = part;
+    return there;
 }
 
 // Within the tube L grows evenly with the angle, however often the ray winds: at most as far as the rim. h: what it may take, then what it took.
@@ -111,14 +114,15 @@ State advance(const Pull& pull, State s, double cell) {
             continue;
         }
         const double longest = longest_step(pull, s);
-        const double h = longest < left ? left / std::ceil(left / longest) : left;
+        double h = longest < left ? left / std::ceil(left / longest) : left;
         const State next = step(pull, s, h);
         const auto crosses = [&](double at) {
             return pull.shape.mu() > 0.0 && (s.at - at) * (next.at - at) < 0.0 && std::fabs(s.at - at) > 2.0 * kAtRim;
         };
-        s = crosses(rim)          ? over_rim(pull, s, h, rim)
-            : crosses(M_PI - rim) ? over_rim(pull, s, h, M_PI - rim)
-                                  : on_its_side(pull, s, next, rim);
+        const double near = s.at < M_PI_2 ? rim : M_PI - rim;  // a step may go through all of a short tube
+        s = crosses(near)          ? to_rim(pull, s, h, near)
+            : crosses(M_PI - near) ? to_rim(pull, s, h, M_PI - near)
+                                   : on_its_side(pull, s, next, rim);
         left = h < left ? left - h : 0.0;
     }
     return s;

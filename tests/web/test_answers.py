@@ -17,10 +17,6 @@ AT_ONCE = 50                # texts a call of the page
 # neighbour where the number lies next to the middle between two, or, where terms cancel, differs by at most one digit of a float of the
 # table's largest value. OTHER: so many of all are not the same. Uniforms are the same bit by bit.
 FLOAT_DIGIT, OTHER = 2.0 ** -23, 0.01
-# Rays that run through a wormhole's tube: whether a step ends at its rim or goes over it in two parts (table/throat_orbit.cpp) hangs on the
-# last digit of where it begins, and changes a derivative by what a step leaves out: 21 neighbouring camera.r gave one of two values, two
-# digits of a float of the table's largest apart.
-THROAT_DIGITS = 4
 # Rays of a zoom wind about the hole, and what they are told apart by grows with each turn: 21 neighbouring camera.r of one at a depth of 20 changed the
 # table by up to 1.26 digits of a float of its largest.
 ZOOM_DIGITS = 2
@@ -171,7 +167,7 @@ class Answers(WebTest):
                 self.assertEqual([width, height], page["texels"][name][:2], text)
                 digits = 1
                 if name == "orbit table":
-                    digits = THROAT_DIGITS if "dneg-wormhole" in text else ZOOM_DIGITS if "[zoom]" in text else 1
+                    digits = ZOOM_DIGITS if "[zoom]" in text else 1
                 most = digits * FLOAT_DIGIT * max(map(abs, values), default=0.0)
                 tables.compare(name, values, page["texels"][name][2], text, most)
         print(f"deflection tables: {sweeps} values, the largest difference {worst:.2g}")
