@@ -125,6 +125,14 @@ KeptCrossings kept_with(KeptCrossings kept, SpinRay ray, SpinStep at, bool ours)
 }
 
 #ifdef NEEDS_FOOTPRINT
+#ifdef EFFECT_REFINE
+#define KEPT_POINTS 6.0   // rays along a side of a pixel, from which on they are points: of an image thinner than their distance some had less than
+                          // all of the disc's light by their footprint, and those beside it none, 1 % of the light in all
+bool kept_as_points() { return sampling_rays() >= KEPT_POINTS; }
+#else
+bool kept_as_points() { return false; }
+#endif
+
 // Crossing k with its footprint. Where a neighbour has none of this number: as if the disc were looked at from here,
 // straight.
 DiscCrossing kept_footprint(KeptCrossings kept, int k, DiscCrossing crossing, float pixel_angle) {
@@ -132,8 +140,9 @@ DiscCrossing kept_footprint(KeptCrossings kept, int k, DiscCrossing crossing, fl
     QuadStep beside = quad_step(vec4(crossing.place, there, 0.0));
     float edge = abs(beside.along.z) + abs(beside.across.z);
     float side = pixel_angle * (crossing.r + 1.0 / frame.shift.y);
-    crossing.along = edge == 0.0 ? beside.along.xy * sampling_share() : vec2(side, 0.0);
-    crossing.across = edge == 0.0 ? beside.across.xy * sampling_share() : vec2(0.0, side);
+    bool known = edge == 0.0 && !kept_as_points();
+    crossing.along = known ? beside.along.xy * sampling_share() : vec2(side, 0.0);
+    crossing.across = known ? beside.across.xy * sampling_share() : vec2(0.0, side);
     return crossing;
 }
 
