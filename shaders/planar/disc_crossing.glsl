@@ -3,6 +3,7 @@
 #include "core/orbit.glsl"
 #endif
 #include "core/plane.glsl"
+#include "planar/disc_hit.glsl"
 #include "planar/trace.glsl"
 #include "shared/frame.glsl"
 
@@ -11,18 +12,6 @@
 #else
 #define DISC_MOST_CROSSINGS 12   // tables resolve windings down to 1e-13 of the critical angle: phi_end < 12 pi
 #endif
-
-struct DiscCrossing {
-    bool hit;
-    float r;          // r_s
-    vec2 place;       // disc (x, y), r_s
-    float phi;        // swept angle
-    vec2 along;       // footprint of one pixel on the disc in (x, y), r_s: image of its side along the ray's plane
-    vec2 across;      // ... and of the side across it
-#ifdef NEEDS_ZETA_SLOPE
-    float zeta_slope; // d zeta / d phi along the ray
-#endif
-};
 
 // Of the disc's plane, in world axes.
 vec3 disc_axis() { return vec3(frame.disc_normal.x, frame.disc_normal.y, frame.disc_normal.z); }

@@ -52,9 +52,10 @@ MediumWalk medium_on(MediumWalk walk, Trace trace, float last) {
         }
         walk.more = min(part, last - walk.along);
         walk.next = medium_at(trace, walk.tangent, walk.along + walk.more);
-        float jump = walk.empty ? walk.more : 0.0;
-        walk.along = over || jump >= last - walk.along ? last : walk.along + jump;
-        if (walk.empty) walk.place = walk.next;
+        if (walk.empty) {
+            walk.along = !over && walk.more < last - walk.along ? walk.along + walk.more : last;
+            walk.place = walk.next;
+        }
         walk.spans -= 1;
     } while (walk.empty && walk.along < last && walk.spans > 0);
     walk.sum.step = medium_step(comes, walk.sum.step);

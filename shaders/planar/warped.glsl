@@ -8,6 +8,7 @@
 #include "core/trig.glsl"
 #include "object/disc_rim.glsl"
 #include "object/disc_shape.glsl"
+#include "planar/disc_hit.glsl"
 #include "planar/trace.glsl"
 #ifdef EFFECT_REFINE
 #include "shared/fragment_at.glsl"
@@ -29,20 +30,6 @@
 #define WARPED_AROUND 1.3      // of a rim: the disc's table ends within, and with it all that a ray may meet
 #define WARPED_LONGEST 64.0    // of the outer radius: a longer footprint shows no less of the disc
 #define WARPED_GRAZING 1.0e-5  // slopes of the height below are of rays along the disc, whose footprint has no end
-
-struct DiscCrossing {
-    bool hit;
-    float r;          // r_s
-    vec2 place;       // in the ring's plane (x, y), r_s
-    float phi;        // swept angle
-    vec2 along;       // footprint of one pixel on the disc in (x, y), r_s: image of its side along the ray's plane
-    vec2 across;      // ... and of the side across it
-#ifdef NEEDS_ZETA_SLOPE
-    float zeta_slope; // d zeta / d phi along the ray
-#endif
-    vec3 axis;        // of the ring, world axes
-    vec3 outward;     // unit, world axes
-};
 
 struct WarpedPlace {
     float phi;

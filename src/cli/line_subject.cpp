@@ -72,9 +72,7 @@ Result<LineTable> read_line(const std::string& file, const std::string& sigma) {
         line.observed.sigma.push_back(*noise);
     }
     if (!sigma.empty()) {
-        const auto same = fit::sigma_of_words(sigma, largest);
-        if (!same || !(*same > 0) || !std::isfinite(*same))
-            return bad_input(without_controls(fmt::format("--sigma {}", sigma)), "a number or a share in %, above 0");
+        TRY(same, fit::shared_sigma(sigma, largest));
         line.observed.sigma.assign(line.observed.value.size(), *same);
     }
     line.observed.what = fmt::format("{} bins of {}", line.observed.value.size(),

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "base/stopwatch.h"
+#include "gl/abilities.h"
 #include "gl/gl.h"
 
 namespace nullscope::cli {
@@ -26,7 +27,7 @@ double frame_ms(Renderer& renderer, const gl::Target& target, bool by_processor)
 
 StageChoice choose_stage(Renderer& renderer, int width, int height) {
     const gl::Target target = gl::make_target(width, height, gl::Format::kRgba8);
-    const bool software = renderer.info().renderer.starts_with("llvmpipe");
+    const bool software = gl::names_llvmpipe(renderer.info().renderer);
     const int drawn = renderer.computed().drawn();
     StageChoice choice;
     renderer.compute(true);

@@ -72,9 +72,7 @@ Result<VisibilityData> read_visibilities(const std::string& file, const std::str
         }
     }
     if (!has_noise) {
-        const auto same = sigma_of_words(sigma, largest);
-        if (!same || !(*same > 0) || !std::isfinite(*same))
-            return bad_input(without_controls(fmt::format("--sigma {}", sigma)), "a number or a share in %, above 0");
+        TRY(same, shared_sigma(sigma, largest));
         data.observed.sigma.assign(data.observed.value.size(), *same);
     }
     data.observed.what =

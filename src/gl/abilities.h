@@ -1,6 +1,7 @@
 // What a driver can, beyond what every context of ours has: for people, and to tell one driver from another.
 #pragma once
 #include <string>
+#include <string_view>
 
 namespace nullscope::gl {
 
@@ -18,5 +19,6 @@ Abilities abilities();
 // Of a renderer's name (GL_RENDERER).
 bool names_software(const std::string& renderer);
 int vector_bits_of(const std::string& renderer);
+inline bool names_llvmpipe(std::string_view renderer) { return renderer.starts_with("llvmpipe"); }
 
 }  // namespace nullscope::gl

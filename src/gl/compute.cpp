@@ -2,9 +2,9 @@
 
 #include <glad/gl.h>
 
-#include <string_view>
 #include <utility>
 
+#include "gl/abilities.h"
 #include "gl/driver_log.h"
 
 namespace nullscope::gl {
@@ -55,10 +55,7 @@ constexpr int kListThreads = 64;
 
 // llvmpipe draws a block of 2 x 2 threads as one vector: what one of them stores the others see at once. With barrier() it keeps what lives in
 // loops in memory, which costs 1.4 times as much.
-bool draws_in_step() {
-    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return name != nullptr && std::string_view(name).starts_with("llvmpipe");
-}
+bool draws_in_step() { return names_llvmpipe(info().renderer); }
 
 }  // namespace
 

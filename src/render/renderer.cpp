@@ -6,6 +6,7 @@
 #include <bit>
 #include <utility>
 
+#include "gl/abilities.h"
 #include "plan/medium.h"
 #include "plan/medium_model.h"
 #include "scene/bodies.h"
@@ -44,7 +45,7 @@ Renderer::Renderer()
     : info_(gl::info()),
       inputs_(info_),
       empty_(gl::make_vertex_array()),
-      flat_frame_(info_.renderer.starts_with("llvmpipe")) {}
+      flat_frame_(gl::names_llvmpipe(info_.renderer)) {}
 
 Status Renderer::prepare(const Scene& scene) {
     const int limit = std::min(info_.max_texture_size, info_.max_renderbuffer_size);
@@ -120,9 +121,8 @@ bool Renderer::compute_picture(const Pass& pass, unsigned picture, int first, in
         gl::compute_rows(*built, *image, kTileSide, first, last, layer);
         return true;
     }
-    const auto tiles = [](int length) { return (length + kTileSide - 1) / kTileSide; };
     const gl::TileList* list =
-        computed_.tiles(pass.stage, tiles(image->width), first / kTileSide, tiles(last), name_inputs);
+        computed_.tiles(pass.stage, tiles_along(image->width), first / kTileSide, tiles_along(last), name_inputs);
     if (list != nullptr) gl::compute_tiles(*built, *image, *list, first, last, layer);
     return list != nullptr;
 }

@@ -48,7 +48,8 @@ enum class Stage {
     kMatterTraced,
     kRayList
 };
-inline constexpr int kTileSide = 8;    // px
+inline constexpr int kTileSide = 8;  // px
+constexpr int tiles_along(int pixels) { return (pixels + kTileSide - 1) / kTileSide; }
 inline constexpr int kFirstTiles = 4;  // tiles a side of those of the first pass, which bodies are looked for in
 // Of the target of pixels with more rays (render/ray_patches.h). No power of two: llvmpipe compiles once more for textures of such sizes.
 inline constexpr int kPatchesSide = 184;

@@ -1,9 +1,28 @@
-"""Data for fits, written without the program: pictures as FITS, noise that a seed gives."""
+"""Data for fits, written without the program: a scene and what is free in it, pictures as FITS, noise that a seed gives."""
 import random
 import re
 import struct
 
 CARD, BLOCK = 80, 2880
+SCENE = """[spacetime]
+metric = "kerr"
+spin = 0.7
+[camera]
+r = 500.0
+theta = 50.0
+fov = 3.0
+size = [%d, %d]
+[sky]
+kind = "black"
+[disc]
+emission = "thermal"
+temperature = 5000.0
+outer = 10.0
+edge = 0.3
+[light]
+band = "bolometric"
+"""
+TRUE = {"spacetime.spin": 0.7, "camera.theta": 50.0}
 
 
 def fits(rows):

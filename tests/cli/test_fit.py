@@ -9,25 +9,6 @@ import resource
 import fit_data
 import support
 
-SCENE = """[spacetime]
-metric = "kerr"
-spin = 0.7
-[camera]
-r = 500.0
-theta = 50.0
-fov = 3.0
-size = [%d, %d]
-[sky]
-kind = "black"
-[disc]
-emission = "thermal"
-temperature = 5000.0
-outer = 10.0
-edge = 0.3
-[light]
-band = "bolometric"
-"""
-TRUE = {"spacetime.spin": 0.7, "camera.theta": 50.0}
 FREE = "spin=0:0.99,camera.theta=10:80"
 SIGNAL_TO_NOISE = 30
 
@@ -40,8 +21,8 @@ def spent():
 class Fits(support.CliTest):
     def drawn(self, side, samples):
         """A picture of the scene by the reference, whose rays lie elsewhere than the shader's. The file of the scene has other numbers."""
-        self.write("true.toml", SCENE % (side, side))
-        self.write("scene.toml", (SCENE % (side, side)).replace("0.7", "0.2").replace("theta = 50", "theta = 20"))
+        self.write("true.toml", fit_data.SCENE % (side, side))
+        self.write("scene.toml", (fit_data.SCENE % (side, side)).replace("0.7", "0.2").replace("theta = 50", "theta = 20"))
         self.run_nullscope("capture", "true.toml", "--renderer", "reference", "--samples", samples, "-o", "true.fits")
         return fit_data.rows_of((self.folder / "true.fits").read_bytes())
 
@@ -54,14 +35,14 @@ class Fits(support.CliTest):
 
     def holds(self, found, sigmas=4):
         for one in found["parameters"]:
-            if one["key"] in TRUE:
-                self.assertLess(abs(one["best"] - TRUE[one["key"]]), sigmas * one["sigma"], one)
+            if one["key"] in fit_data.TRUE:
+                self.assertLess(abs(one["best"] - fit_data.TRUE[one["key"]]), sigmas * one["sigma"], one)
 
     @support.costly
     def test_a_picture_is_fitted_from_any_start(self):
         self.noisy(self.drawn(32, 6))
         found = self.fitted("-o", "best.toml")
-        self.assertEqual([one["key"] for one in found["parameters"]], list(TRUE))
+        self.assertEqual([one["key"] for one in found["parameters"]], list(fit_data.TRUE))
         self.holds(found)
         self.assertTrue(found["describes_the_data"])
         self.assertEqual(found["degrees_of_freedom"], 32 * 32 - 2)
@@ -83,7 +64,7 @@ class Fits(support.CliTest):
         off = []
         for seed in range(1, trials + 1):
             self.noisy(rows, seed)
-            off += [(one["best"] - TRUE[one["key"]]) / one["sigma"] for one in self.fitted("--starts", "1")["parameters"]]
+            off += [(one["best"] - fit_data.TRUE[one["key"]]) / one["sigma"] for one in self.fitted("--starts", "1")["parameters"]]
         # The sum of squares of 2 x 12 normal numbers: 24 +- 6.9.
         self.assertGreater(sum(x * x for x in off), 24 - 2.5 * 6.9, off)
         self.assertLess(sum(x * x for x in off), 24 + 3.5 * 6.9, off)
@@ -127,7 +108,7 @@ class Fits(support.CliTest):
 
     @support.costly
     def test_visibilities(self):
-        scene = (SCENE % (48, 48)) + '[object]\nname = "m87"\n'
+        scene = (fit_data.SCENE % (48, 48)) + '[object]\nname = "m87"\n'
         self.write("true.toml", scene)
         self.run_nullscope("visibility", "true.toml", "--size", "96x96", "--renderer", "reference", "--samples", "3", "--radial", "30", "8", "--points", "24", "-o", "seen")
         self.with_noise("seen.csv", ["real", "imaginary"], 0.01)
@@ -138,7 +119,7 @@ class Fits(support.CliTest):
 
     @support.costly
     def test_lines(self):
-        self.write("true.toml", SCENE % (8, 8))
+        self.write("true.toml", fit_data.SCENE % (8, 8))
         self.run_nullscope("spectrum", "true.toml", "--bins", "40", "-o", "line")
         self.with_noise("line.csv", ["photons"], 0.01)
         found = json.loads(self.run_nullscope("fit", "line.csv", "true.toml", "--free", "camera.theta=30:70,disc.outer=6:15", "--starts", "1", "--json").out)
@@ -148,7 +129,7 @@ class Fits(support.CliTest):
         self.assertTrue(found["describes_the_data"], found)
 
     def test_errors_of_tables(self):
-        self.write("scene.toml", (SCENE % (8, 8)) + '[object]\nname = "m87"\n')
+        self.write("scene.toml", (fit_data.SCENE % (8, 8)) + '[object]\nname = "m87"\n')
 
         def refused(table, says, *more):
             self.write("data.csv", table)
@@ -164,7 +145,7 @@ class Fits(support.CliTest):
         refused(line, ["--mask"], "--mask", "mask.png")
 
     def test_errors(self):
-        self.write("scene.toml", SCENE % (8, 8))
+        self.write("scene.toml", fit_data.SCENE % (8, 8))
         data = self.write("data.fits", fit_data.fits([[1.0] * 8] * 8))
         usual = {"--free": FREE, "--sigma": "1"}
 

@@ -13,6 +13,7 @@
 #include "support/draft.h"
 #include "support/gpu_session.h"
 #include "support/picture_off.h"
+#include "support/places_off.h"
 
 namespace {
 
@@ -47,46 +48,18 @@ void put_off_disc(Scene& scene) {
     if (std::fabs(height) < kAbove) camera.r = std::max(camera.r, 1.3 * scene.disc->outer);
 }
 
-// What views are off by.
-struct LeanOff {
-    double most_px = 0, median = 0;
-    long long views = 0, rays = 0, places = 0, fates = 0, forgiven = 0, wrong_hits = 0;
-    void add(GpuSession& session, const Scene& scene, double most = kLeanPlace_px) {
-        const RayFrame drawn = gl_ray_data(session, scene);
-        const ExactTrace trace = remembered(reference_trace(scene));
-        const RayMeasures m = measure_rays(drawn, scene.camera, trace);
-        const RayFrame exact = exact_frame(scene.camera, trace);
-        for (std::size_t i = 0; i < exact.pixels.size(); ++i) wrong_hits += exact.pixels[i].hit != drawn.pixels[i].hit;
-        if (m.place_px.count > 0)
-            most_px = std::max(most_px, m.place_px.max), median = std::max(median, m.place_px.median);
-        CHECK(m.place_px.max < most);
-        CHECK(m.not_finite == 0);
-        ++views, places += m.place_px.count, fates += m.fate_errors, forgiven += m.forgiven,
-            rays += static_cast<long long>(exact.pixels.size());
-    }
-    void check(const char* of, long long least) const {
-        fmt::print(
-            "kerr lean: {} {}, {} rays, {} places: {:.1e} px at most, medians {:.1e}; fate errors {}, others at edges "
-            "{} of {} forgiven\n",
-            views, of, rays, places, most_px, median, fates, wrong_hits, forgiven);
-        CHECK(fates == 0);
-        CHECK(wrong_hits <= forgiven);
-        CHECK(places > least);
-    }
-};
-
 TEST_CASE("kerr lean: places of random tilts and cameras are the reference's" * costly()) {
     on_one_context([](GpuSession& session) {
         const int views = by_depth(60, 300, 300);
         std::mt19937 random(55);
-        LeanOff off;
+        PlacesOff off;
         for (int view = 0; view < views; ++view) {
             Scene scene = lean_scene(random, 8);
             put_off_disc(scene);
             CAPTURE(view);
-            off.add(session, scene);
+            off.add(session, scene, kLeanPlace_px);
         }
-        off.check("views", 10 * views);
+        off.check("kerr lean", 10 * views);
     });
 }
 
@@ -96,7 +69,7 @@ TEST_CASE("kerr lean: places seen by cameras that fall are the reference's") {
         const int views = by_depth(24, 200, 200);
         std::mt19937 random(58);
         const auto among = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-        LeanOff off;
+        PlacesOff off;
         for (int view = 0; view < views; ++view) {
             Scene scene = lean_scene(random, 8);
             CameraSpec& camera = scene.camera;
@@ -111,7 +84,7 @@ TEST_CASE("kerr lean: places seen by cameras that fall are the reference's") {
             CAPTURE(view);
             off.add(session, scene, kFallPlace_px);
         }
-        off.check("views of falling cameras", 10 * views);
+        off.check("kerr lean, cameras that fall", 10 * views);
     });
 }
 

@@ -13,33 +13,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 
 import fit_data
 
-SCENE = """[spacetime]
-metric = "kerr"
-spin = 0.7
-[camera]
-r = 500.0
-theta = 50.0
-fov = 3.0
-size = [32, 32]
-[sky]
-kind = "black"
-[disc]
-emission = "thermal"
-temperature = 5000.0
-outer = 10.0
-edge = 0.3
-[light]
-band = "bolometric"
-"""
-TRUE = {"spacetime.spin": 0.7, "camera.theta": 50.0}
-
 
 def main():
     binary, first, last = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-    held = dict.fromkeys(TRUE, 0)
+    held = dict.fromkeys(fit_data.TRUE, 0)
     with tempfile.TemporaryDirectory() as folder:
         scene, drawn, data = (str(Path(folder) / name) for name in ("scene.toml", "drawn.fits", "data.fits"))
-        Path(scene).write_text(SCENE)
+        Path(scene).write_text(fit_data.SCENE % (32, 32))
         subprocess.run([binary, "capture", scene, "--renderer", "reference", "--samples", "8", "-o", drawn], check=True, stdout=subprocess.DEVNULL)
         rows = fit_data.rows_of(Path(drawn).read_bytes())
         sigma = fit_data.brightest(rows) / 30
@@ -48,7 +28,7 @@ def main():
             fit = subprocess.run([binary, "fit", data, scene, "--free", "spin=0:0.99,camera.theta=10:80", "--sigma", repr(sigma), "--starts", "1", "--json"],
                                  check=True, capture_output=True)
             for one in json.loads(fit.stdout)["parameters"]:
-                held[one["key"]] += abs(one["best"] - TRUE[one["key"]]) < one["sigma"]
+                held[one["key"]] += abs(one["best"] - fit_data.TRUE[one["key"]]) < one["sigma"]
     for key, count in held.items():
         print(f"{key}: {count} of {last - first + 1}, {100 * count / (last - first + 1):.1f} %")
 
