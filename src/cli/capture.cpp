@@ -21,6 +21,7 @@
 #include "cli/frame_store.h"
 #include "cli/picture_file.h"
 #include "cli/workers.h"
+#include "command/frame_writer.h"
 #include "command/shot.h"
 #include "command/stereo_capture.h"
 #include "image/picture_texts.h"
@@ -80,51 +81,77 @@ Result<std::unique_ptr<FrameStore>> store_of(const CaptureJob& job, const Captur
                              : FrameStore::open_sequence(*job.names, stamp, options.resume);
 }
 
+// Of what is kept of a picture until it is written, at most.
+double bytes_of_frame(const CameraSpec& camera, const CaptureOptions& options) {
+    const auto [width, height] = stereo_size(camera);
+    const double bytes_a_pixel = 18.0 + (options.raydata ? 48.0 : 0.0) + (options.layers ? 200.0 : 0.0);
+    return bytes_a_pixel * width * height;
+}
+
+// The frames of one process: drawn one after the other, and written meanwhile.
+struct FrameLoop {
+    const CaptureJob& job;
+    Session* session;  // null: the reference draws
+    const CaptureOptions& options;
+    FrameStore* store;  // null: one picture
+    const FrameWatch& watch;
+    FrameWriter writer{pictures_written_at_once(options.workers, bytes_of_frame(job.scene.camera, options))};
+
+    bool keeps() const { return store != nullptr && (options.resume || options.to_film() || options.workers > 1); }
+    Result<bool> draw(int frame, bool wait);
+    Status draw_all();
+};
+
 // Draws a frame unless the store has it. False: another run, or worker, is drawing it.
-Result<bool> draw_frame(const CaptureJob& job, Session* session, const CaptureOptions& options, FrameStore* store,
-                        const FrameWatch& watch, int frame, bool wait) {
+Result<bool> FrameLoop::draw(int frame, bool wait) {
     const std::string file = store != nullptr ? store->file(frame) : options.output;
-    const bool keeps = store != nullptr && (options.resume || options.to_film() || options.workers > 1);
-    if (keeps && !store->has(frame)) {
+    if (keeps() && !store->has(frame)) {
         TRY(reserved, store->reserve(frame, wait));
         if (!*reserved) return false;
     }
-    std::string line;
-    if (!keeps || !store->has(frame)) {  // another run may have drawn it until now
-        watch.begun(frame);
-        const Stopwatch clock;
-        const Exposure shown = exposure_in(job, options.time_step, frame);
-        const bool numbered = store != nullptr || options.one_frame;
-        TRY(made_by, draw_into(job, session, shown, options, file, numbered ? std::optional(frame) : std::nullopt));
-        const std::string blur = shown.sub_frames.empty() ? ""
-                                                          : fmt::format(", {} sub-frames in {:.1f} s",
-                                                                        shown.sub_frames.size(), clock.seconds());
-        const auto [width, height] = stereo_size(job.scene.camera);
-        if (!options.to_film())
-            line = fmt::format("{}: {}x{}, {}{}\n", files_of(file, job.scene, options), width, height, *made_by, blur);
+    const auto done = [this, frame](const std::string& line) {
+        if (keeps()) store->release(frame);
+        watch.done(frame, line);
+    };
+    if (keeps() && store->has(frame)) {  // another run may have drawn it until now
+        done("");
+        return true;
     }
-    if (keeps) store->release(frame);
-    watch.done(frame, line);
+    watch.begun(frame);
+    const Stopwatch clock;
+    const Exposure shown = exposure_in(job, options.time_step, frame);
+    const bool numbered = store != nullptr || options.one_frame;
+    TRY(drawn, draw_for(job, session, shown, options, file, numbered ? std::optional(frame) : std::nullopt));
+    const std::string blur = shown.sub_frames.empty()
+                                 ? ""
+                                 : fmt::format(", {} sub-frames in {:.1f} s", shown.sub_frames.size(), clock.seconds());
+    const auto [width, height] = stereo_size(job.scene.camera);
+    const std::string line = options.to_film() ? ""
+                                               : fmt::format("{}: {}x{}, {}{}\n", files_of(file, job.scene, options),
+                                                             width, height, drawn->said, blur);
+    TRY(added,
+        writer.add(
+            drawn->write ? std::move(drawn->write) : [] { return Status(Done{}); }, [done, line] { done(line); }));
     return true;
 }
 
 // Those that the store has not. What other runs are drawing comes last: it is drawn here if they end before.
-Status draw_frames(const CaptureJob& job, Session* session, const CaptureOptions& options, FrameStore* store,
-                   const FrameWatch& watch) {
+Status FrameLoop::draw_all() {
     std::vector<int> left;
     for (int frame = job.frames.first; frame < job.frames.end; ++frame) {
-        TRY(done, draw_frame(job, session, options, store, watch, frame, false));
+        TRY(done, draw(frame, false));
         if (!*done) left.push_back(frame);
     }
+    TRY(written, writer.finish());  // others may wait for these
     for (const int frame : left) {
-        TRY(done, draw_frame(job, session, options, store, watch, frame, true));
+        TRY(done, draw(frame, true));
     }
-    return Done{};
+    return writer.finish();
 }
 
 Status draw_here(const CaptureJob& job, const CaptureOptions& options, FrameStore* store, const FrameWatch& watch) {
     TRY(session, capture_session(job, options));
-    return draw_frames(job, *session ? &**session : nullptr, options, store, watch);
+    return FrameLoop{job, *session ? &**session : nullptr, options, store, watch}.draw_all();
 }
 
 // By this process, or by workers.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "cli/cube_faces.h"
@@ -76,27 +77,30 @@ PictureOrigin origin_of(const CaptureJob& job, const CaptureOptions& options, co
     return origin;
 }
 
-Result<std::string> draw_into(const CaptureJob& job, Session* session, const Exposure& shown,
+Result<DrawnPicture> draw_for(const CaptureJob& job, Session* session, const Exposure& shown,
                               const CaptureOptions& options, const std::string& file, std::optional<int> frame) {
     const Scene& scene = shown.scene;
     const std::optional<Scene> next =
         options.layers && frame ? next_scene(job, options.time_step, *frame) : std::nullopt;
-    const PictureOrigin origin = origin_of(job, options, shown, next.has_value(), frame);
+    PictureOrigin origin = origin_of(job, options, shown, next.has_value(), frame);
     const bool all_round = scene.camera.stereo == Stereo::kAllRound;
     if (session != nullptr && options.to_exr() && options.to_linear_light() && !options.raydata && !options.layers &&
         options.st_map.empty() && !job.split && !scene.split && !all_round && !names_faces(options) &&
         (options.half || (is_drawn_in_bands(scene) && !has_bands(scene)))) {
         TRY(beside, side_by_side_pictures(shown));
-        return capture_large_exr(*session, origin, *beside, options, file);
+        TRY(said, capture_large_exr(*session, origin, *beside, options, file));
+        return DrawnPicture{std::move(*said), {}};
     }
     const auto drawn = [&](const Exposure& one) {
         DrawOptions drawing = options.drawing();
         drawing.in_bands = drawing.in_bands || has_bands(scene);
         return draw_shot(job, session, one, drawing, !options.plain, next ? &*next : nullptr);
     };
-    if (names_faces(options)) return draw_faces(origin, shown, options, drawn);
+    if (names_faces(options)) {
+        TRY(said, draw_faces(origin, shown, options, drawn));
+        return DrawnPicture{std::move(*said), {}};
+    }
     TRY(captured, drawn(shown));
-    TRY(written, write_picture(file, origin, *captured, options));
     const bool several = job.split || scene.split || scene.camera.stereo != Stereo::kOff;
     const auto flux = captured->bands.empty() ? flux_unit(scene, several) : std::nullopt;
     std::string said = captured->made_by;
@@ -106,7 +110,19 @@ Result<std::string> draw_into(const CaptureJob& job, Session* session, const Exp
         const auto [x, y] = line_of_sight(scene.camera);
         said += ", " + words_of(stokes_measures(captured->stokes, x, y));
     }
-    return said;
+    auto kept = std::make_shared<const Captured>(std::move(*captured));  // functions are copied
+    return DrawnPicture{std::move(said), [file, origin = std::move(origin), kept, &options] {
+                            return write_picture(file, origin, *kept, options);
+                        }};
+}
+
+Result<std::string> draw_into(const CaptureJob& job, Session* session, const Exposure& shown,
+                              const CaptureOptions& options, const std::string& file, std::optional<int> frame) {
+    TRY(drawn, draw_for(job, session, shown, options, file, frame));
+    if (drawn->write) {
+        TRY(written, drawn->write());
+    }
+    return std::move(drawn->said);
 }
 
 Result<CaptureJob> capture_job(const CaptureOptions& options, const OpenedScene& opened) {

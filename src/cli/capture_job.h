@@ -1,5 +1,6 @@
 // One run of nullscope capture: what is to be drawn, checked, and each of its pictures.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -43,7 +44,15 @@ void tell_renderer(Session& session, const CaptureJob& job);
 PictureOrigin origin_of(const CaptureJob& job, const CaptureOptions& options, const Exposure& shown, bool with_next,
                         std::optional<int> frame);
 
-// One picture, or two side by side, into a file. session: null: the reference draws. Returns what it was made by, and its flux where that is known.
+// One picture, or two side by side, that is drawn and not yet in its file.
+struct DrawnPicture {
+    std::string said;               // what it was made by, and its flux where that is known
+    std::function<Status()> write;  // on any thread, while job and options live; empty: it is in its file already
+};
+// session: null: the reference draws.
+Result<DrawnPicture> draw_for(const CaptureJob& job, Session* session, const Exposure& shown,
+                              const CaptureOptions& options, const std::string& file, std::optional<int> frame);
+// And writes it. Returns what is said of it.
 Result<std::string> draw_into(const CaptureJob& job, Session* session, const Exposure& shown,
                               const CaptureOptions& options, const std::string& file, std::optional<int> frame);
 

@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "cli/table_file.h"
 #include "cli/visibility_tables.h"
+#include "command/session.h"
 #include "scene/known_object.h"
 
 namespace nullscope::cli {
