@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "platform/places.h"
+
 namespace nullscope {
 namespace {
 
@@ -20,9 +22,8 @@ std::filesystem::path assets_directory() {
     if (const char* set = std::getenv("NULLSCOPE_ASSETS"); set && *set) return set;
     if (!shipped().empty()) return shipped();
     std::error_code error;
-    const fs::path executable = fs::read_symlink("/proc/self/exe", error);
-    if (!error) {
-        fs::path installed = executable.parent_path().parent_path() / "share" / "nullscope";
+    if (const fs::path program = platform::program_file(); !program.empty()) {
+        fs::path installed = program.parent_path().parent_path() / "share" / "nullscope";
         if (fs::is_directory(installed, error)) return installed;
     }
     return NULLSCOPE_SOURCE_ASSETS;

@@ -1,12 +1,13 @@
 #include "base/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
+
+#include "platform/console.h"
 
 namespace nullscope {
 namespace {
@@ -19,7 +20,9 @@ constexpr int kBarWidth = 30;             // columns; label, bar and times fit 8
 }  // namespace
 
 Progress::Progress(std::string label, long long total)
-    : label_(std::move(label)), total_(std::max(total, 1LL)), terminal_(::isatty(STDERR_FILENO) == 1) {}
+    : label_(std::move(label)),
+      total_(std::max(total, 1LL)),
+      terminal_(platform::is_terminal(platform::Output::kErrors)) {}
 
 Progress::~Progress() {
     const std::lock_guard lock(mutex_);

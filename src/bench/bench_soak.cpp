@@ -2,13 +2,10 @@
 // no channel of any frame is NaN or infinite. Memory is the mean over the last 240 of 500 frames, in which every kind of scene comes
 // up once, each read in its last frame: in its first ones OpenGL may still hold what the scene before it needed (12 MiB of 146).
 #include <fmt/format.h>
-#include <malloc.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <random>
 #include <vector>
 
@@ -17,6 +14,7 @@
 #include "command/arguments.h"
 #include "command/json.h"
 #include "compare/ray_errors.h"
+#include "platform/usage.h"
 
 namespace nullscope::cli {
 namespace {
@@ -29,13 +27,6 @@ struct SoakBench : BenchOptions {
 constexpr int kSpan = 500;  // frames in which every kind of scene is seen twice, the first time to compile its shader
 constexpr double kMostGrowth = 0.02;  // of that memory: what a heap's fragments come and go by
 constexpr int kFramesAScene = 10, kScenes = 24;
-
-double resident_bytes() {
-    std::ifstream file("/proc/self/statm");
-    double all = 0, resident = 0;
-    file >> all >> resident;
-    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
-}
 
 // A camera that drifts: every coordinate a sum of two waves of random frequency. Every kFramesAScene frames another kind of scene.
 class Path {
@@ -98,7 +89,7 @@ Result<Counts> soak(Session& session, const SoakBench& options, int width, int h
         if (frame % kSpan == 0) counts.means.push_back(0);
         const int left = kSpan - 1 - frame % kSpan;  // frames of the span
         if (left < kFramesAScene * kScenes && left % kFramesAScene == 0)
-            counts.means.back() += resident_bytes() / kScenes;
+            counts.means.back() += platform::resident_bytes() / kScenes;
         if ((frame + 1) % (4 * kSpan) == 0) {
             fmt::print("frame {:6}: {:.1f} MiB resident in the last {}\n", frame + 1, counts.means.back() / (1 << 20),
                        kSpan);
@@ -110,10 +101,7 @@ Result<Counts> soak(Session& session, const SoakBench& options, int width, int h
 
 Result<int> run_soak(const SoakBench& options) {
     TRY(size, parse_size(options.size));
-    // One heap that gives back what is free: what is measured is what is held, not where a heap of several threads has its gaps.
-    ::mallopt(M_ARENA_MAX, 1);
-    ::mallopt(M_TRIM_THRESHOLD, 1 << 17);
-    ::mallopt(M_MMAP_THRESHOLD, 1 << 17);
+    platform::tighten_heap();
     TRY(session, open_session(options.context));
     TRY(counts, soak(*session, options, size->width, size->height));
     const bool flat = counts->growth() <= kMostGrowth, finite = counts->not_finite == 0;

@@ -1,7 +1,6 @@
 // nullscope capture: a picture of a scene in a file.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -27,6 +26,7 @@
 #include "image/picture_texts.h"
 #include "observer/path.h"
 #include "plan/shutter.h"
+#include "platform/console.h"
 #include "scene/stereo.h"
 #include "shaderlib/passes.h"
 #include "version/version.h"
@@ -166,7 +166,7 @@ Status draw_all(const CaptureJob& job, const CaptureOptions& options, FrameStore
         [&](int frame, const std::string& line) {
             drawn += line.empty() ? 0 : 1;
             if (store != nullptr) store->drew_one();
-            if (progress && !line.empty() && ::isatty(STDOUT_FILENO) == 1) progress->clear();
+            if (progress && !line.empty() && platform::is_terminal(platform::Output::kText)) progress->clear();
             fmt::print("{}", line);
             if (there.insert(frame).second && progress) progress->advance();
         },

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <ctime>
 #include <exception>
 #include <type_traits>
 
@@ -13,6 +12,7 @@
 #include "command/json.h"
 #include "command/session.h"
 #include "gl/driver_death.h"
+#include "platform/usage.h"
 
 namespace nullscope::cli {
 namespace {
@@ -95,7 +95,7 @@ bool take_bytes(std::string_view& bytes, std::vector<T>& values) {
 Status tell_trial(int pipe, int device, const Scene& scene) {
     TRY(session, open_session(ContextChoice::of_device(device)));
     Renderer& renderer = *session->renderer;
-    const auto core_ms = [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+    const auto core_ms = [] { return 1e3 * platform::process_cpu_seconds(); };
     const Stopwatch first;
     const double begun_core_ms = core_ms();
     TRY(ready, renderer.prepare(scene));

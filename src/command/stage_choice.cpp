@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "base/stopwatch.h"
 #include "gl/abilities.h"
 #include "gl/gl.h"
+#include "platform/usage.h"
 
 namespace nullscope::cli {
 namespace {
@@ -16,11 +16,11 @@ constexpr int kFrames = 3;
 
 double frame_ms(Renderer& renderer, const gl::Target& target, bool by_processor) {
     gl::finish();
-    const std::clock_t core = std::clock();  // of all threads
+    const double core = platform::process_cpu_seconds();
     const Stopwatch watch;
     renderer.draw(target.framebuffer.id(), target.width, target.height, Output::kDisplay);
     gl::finish();
-    return by_processor ? 1e3 * static_cast<double>(std::clock() - core) / CLOCKS_PER_SEC : watch.ms();
+    return by_processor ? 1e3 * (platform::process_cpu_seconds() - core) : watch.ms();
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "context/context.h"
-#include "context/library.h"
+#include "platform/library.h"
 
 namespace nullscope {
 namespace {
@@ -45,18 +45,18 @@ struct Egl {
 const Egl* egl() {
     static Egl e;
     static const bool ok = [] {
-        void* library = open_library({"libEGL.so.1", "libEGL.so"});
+        void* library = platform::open_library({"libEGL.so.1", "libEGL.so"});
         if (library == nullptr) return false;
-        const bool all = load_symbol(library, "eglGetProcAddress", e.get_proc_address) &&
-                         load_symbol(library, "eglGetDisplay", e.get_display) &&
-                         load_symbol(library, "eglInitialize", e.initialize) &&
-                         load_symbol(library, "eglTerminate", e.terminate) &&
-                         load_symbol(library, "eglBindAPI", e.bind_api) &&
-                         load_symbol(library, "eglChooseConfig", e.choose_config) &&
-                         load_symbol(library, "eglCreateContext", e.create_context) &&
-                         load_symbol(library, "eglDestroyContext", e.destroy_context) &&
-                         load_symbol(library, "eglMakeCurrent", e.make_current) &&
-                         load_symbol(library, "eglQueryString", e.query_string);
+        const bool all = platform::load_symbol(library, "eglGetProcAddress", e.get_proc_address) &&
+                         platform::load_symbol(library, "eglGetDisplay", e.get_display) &&
+                         platform::load_symbol(library, "eglInitialize", e.initialize) &&
+                         platform::load_symbol(library, "eglTerminate", e.terminate) &&
+                         platform::load_symbol(library, "eglBindAPI", e.bind_api) &&
+                         platform::load_symbol(library, "eglChooseConfig", e.choose_config) &&
+                         platform::load_symbol(library, "eglCreateContext", e.create_context) &&
+                         platform::load_symbol(library, "eglDestroyContext", e.destroy_context) &&
+                         platform::load_symbol(library, "eglMakeCurrent", e.make_current) &&
+                         platform::load_symbol(library, "eglQueryString", e.query_string);
         if (!all) return false;
         e.get_platform_display =
             reinterpret_cast<decltype(e.get_platform_display)>(e.get_proc_address("eglGetPlatformDisplayEXT"));

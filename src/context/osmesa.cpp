@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "context/context.h"
-#include "context/library.h"
+#include "platform/library.h"
 
 namespace nullscope {
 namespace {
@@ -24,11 +24,11 @@ struct Osmesa {
 const Osmesa* osmesa() {
     static Osmesa o;
     static const bool ok = [] {
-        void* library = open_library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
-        return library != nullptr && load_symbol(library, "OSMesaCreateContextAttribs", o.create) &&
-               load_symbol(library, "OSMesaDestroyContext", o.destroy) &&
-               load_symbol(library, "OSMesaMakeCurrent", o.make_current) &&
-               load_symbol(library, "OSMesaGetProcAddress", o.get_proc_address);
+        void* library = platform::open_library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
+        return library != nullptr && platform::load_symbol(library, "OSMesaCreateContextAttribs", o.create) &&
+               platform::load_symbol(library, "OSMesaDestroyContext", o.destroy) &&
+               platform::load_symbol(library, "OSMesaMakeCurrent", o.make_current) &&
+               platform::load_symbol(library, "OSMesaGetProcAddress", o.get_proc_address);
     }();
     return ok ? &o : nullptr;
 }

@@ -1,18 +1,17 @@
 #include "studio/error_watch.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "platform/usage.h"
 #include "reference/frame_tracer.h"
 
 namespace nullscope::viewer {
 namespace {
 
 constexpr double kNewsEvery = 0.25;  // s
-constexpr int kMostThreads = 8, kNiceness = 5;
+constexpr int kMostThreads = 8;
 
 }  // namespace
 
@@ -71,9 +70,7 @@ bool ErrorWatch::take_heat(Image<unsigned char>& heat) {
 }
 
 void ErrorWatch::work(const std::stop_token& stop) {
-#ifdef __linux__
-    [[maybe_unused]] const int niceness = nice(kNiceness);  // of this thread alone: frames come first
-#endif
+    platform::give_way();  // frames come first
     std::unique_lock lock(mutex_);
     while (wake_.wait(lock, stop, [this] { return job_ != nullptr && job_->next < job_->tasks.size(); }),
            !stop.stop_requested()) {

@@ -4,10 +4,10 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
-#include <cstdlib>
 
 #include "base/atomic_file.h"
 #include "base/text.h"
+#include "platform/places.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -16,13 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestSettings = 1u << 14;  // bytes: no depth of tables is dangerous in so few
 constexpr int kLargestWindow = 16384;               // px
-
-fs::path folder_of(const char* variable, const char* below_home) {
-    if (const char* set = std::getenv(variable); set != nullptr && fs::path(set).is_absolute())
-        return fs::path(set) / "nullscope";
-    const char* home = std::getenv("HOME");
-    return home != nullptr && *home != '\0' ? fs::path(home) / below_home / "nullscope" : fs::path();
-}
 
 fs::path settings_file() {
     const fs::path folder = config_folder();
@@ -56,8 +49,8 @@ Settings read(const toml::table& root) {
 
 }  // namespace
 
-fs::path config_folder() { return folder_of("XDG_CONFIG_HOME", ".config"); }
-fs::path state_folder() { return folder_of("XDG_STATE_HOME", ".local/state"); }
+fs::path config_folder() { return platform::settings_folder(); }
+fs::path state_folder() { return platform::state_folder(); }
 
 Settings load_settings() {
     const fs::path file = settings_file();

@@ -21,8 +21,6 @@
 
 namespace nullscope::viewer {
 
-double thread_cpu_seconds();  // of the calling one
-
 class LoopLog {
 public:
     // Without it nothing is written. Errors: a file that cannot be written.

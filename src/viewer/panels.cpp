@@ -101,9 +101,8 @@ LeftScene draw_left_scene(const std::filesystem::path& file) {
         const auto changed = std::chrono::file_clock::to_sys(std::filesystem::last_write_time(file, error));
         const std::time_t when = std::chrono::system_clock::to_time_t(
             std::chrono::time_point_cast<std::chrono::system_clock::duration>(changed));
-        std::tm local{};
-        localtime_r(&when, &local);
-        ImGui::TextUnformatted(fmt::format("The viewer ended unexpectedly on {:%Y-%m-%d at %H:%M}.", local).c_str());
+        ImGui::TextUnformatted(
+            fmt::format("The viewer ended unexpectedly on {:%Y-%m-%d at %H:%M}.", fmt::localtime(when)).c_str());
         if (ImGui::Button("Restore the scene")) answer = LeftScene::kRestored;
         ImGui::SameLine();
         if (ImGui::Button("Discard")) answer = LeftScene::kDiscarded;

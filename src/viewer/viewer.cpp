@@ -18,6 +18,7 @@
 
 #include "base/assets.h"
 #include "image/image_file.h"
+#include "platform/usage.h"
 #include "studio/pace.h"
 
 namespace nullscope::viewer {
@@ -112,7 +113,7 @@ bool Viewer::step() {
     const bool waited = wait > 0.0 && !in_motion();
     const Input& input = window_->poll(wait);
     if (window_->closing()) return false;
-    const double cpu = thread_cpu_seconds(), dt = pace_.begin_turn(seconds(), waited);
+    const double cpu = platform::thread_cpu_seconds(), dt = pace_.begin_turn(seconds(), waited);
     if (input.happened) pace_.want(kSettlingFrames);
     if (!input.pressed.empty()) logs_.last_key = input.pressed.back().key;
     follow_times();
@@ -150,9 +151,9 @@ bool Viewer::step() {
         patient() ? settled() : pace_.due() && (news || !painter_->busy() || seconds() - pace_.drawn_at() >= kBusyWait);
     if (drawn) {
         present();
-        logs_.turns.turn({1e3 * (thread_cpu_seconds() - cpu), painter_->drawn_by_caller(), shown_.painting.programs,
-                          shown_.number, shown_.is_there(), shown_.painting.coarse(), painter_->busy(),
-                          shown_.painting.width, shown_.painting.height,
+        logs_.turns.turn({1e3 * (platform::thread_cpu_seconds() - cpu), painter_->drawn_by_caller(),
+                          shown_.painting.programs, shown_.number, shown_.is_there(), shown_.painting.coarse(),
+                          painter_->busy(), shown_.painting.width, shown_.painting.height,
                           shown_.news_due_at ? 1e3 * (seconds() - *shown_.news_due_at) : 0.0});
         shown_.news_due_at.reset();
     } else {

@@ -41,9 +41,7 @@ Image<unsigned char> drawn_apart(PixelSize size, const std::function<void(unsign
 // nullscope-YYYYMMDD-HHMMSS.png in the current folder, absolute; -2, -3 ... before the dot where that exists.
 std::filesystem::path fresh_screenshot_path() {
     const std::time_t now = std::time(nullptr);
-    std::tm local{};
-    localtime_r(&now, &local);
-    const std::string stem = fmt::format("nullscope-{:%Y%m%d-%H%M%S}", local);
+    const std::string stem = fmt::format("nullscope-{:%Y%m%d-%H%M%S}", fmt::localtime(now));
     std::filesystem::path path = std::filesystem::absolute(stem + ".png");
     for (int n = 2; std::filesystem::exists(path); ++n) path.replace_filename(fmt::format("{}-{}.png", stem, n));
     return path;

@@ -72,7 +72,7 @@ def main():
     words = sys.argv[1:]
     if words == ["--self-test"]:
         return self_test()
-    found = [line for folder in ([Path(word) for word in words] or sorted([*(ROOT / "src").iterdir(), *(ROOT / "tests").iterdir()])) if folder.is_dir() for line in clashes(folder)]
+    found = [line for folder in ([Path(word) for word in words] or sorted([*(ROOT / "src").iterdir(), *(ROOT / "src/platform").iterdir(), *(ROOT / "tests").iterdir()])) if folder.is_dir() for line in clashes(folder)]
     print("\n".join(found) or "check_names: no two files of a module share a name")
     return 1 if found else 0
 
