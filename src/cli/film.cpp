@@ -1,19 +1,15 @@
 #include "cli/film.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <string_view>
 
 #include "base/atomic_file.h"
 #include "base/text.h"
-#include "command/child.h"
+#include "platform/process.h"
 
 namespace nullscope::cli {
 namespace {
@@ -50,42 +46,6 @@ constexpr const char* kRgb =
 const FilmKind* kind_of(const std::string& name) {
     const auto* const kind = std::ranges::find_if(kKinds, [&](const FilmKind& k) { return name.ends_with(k.ending); });
     return kind == kKinds.end() ? nullptr : kind;
-}
-
-struct Ended {
-    std::string how;   // end_of_child()
-    std::string said;  // the first line on its standard error
-    bool found = true;
-};
-
-constexpr int kNotFound = 127;  // as a shell says it
-
-// No shell: words are passed as they are.
-Ended run_quietly(FilmWords words) {
-    std::vector<char*> argv;
-    argv.reserve(words.size() + 1);
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return {std::strerror(errno), ""};
-    const pid_t child = fork_child([&] {
-        const int nothing = ::open("/dev/null", O_RDWR);
-        ::dup2(nothing, STDIN_FILENO), ::dup2(nothing, STDOUT_FILENO), ::dup2(ends[1], STDERR_FILENO);
-        ::execvp(argv[0], argv.data());
-        return kNotFound;
-    });
-    ::close(ends[1]);
-    std::string text;
-    std::array<char, 4096> bytes;
-    for (ssize_t count = 0; child > 0 && (count = ::read(ends[0], bytes.data(), bytes.size())) != 0;)
-        if (count > 0 && text.find('\n') == std::string::npos)
-            text.append(bytes.data(), static_cast<std::size_t>(count));
-        else if (count < 0 && errno != EINTR)
-            break;
-    ::close(ends[0]);
-    if (child < 0) return {std::strerror(errno), ""};
-    const std::string how = end_of_child(child);
-    return {how, without_controls(text.substr(0, text.find('\n'))), how != fmt::format("exit status {}", kNotFound)};
 }
 
 // For names that ffmpeg reads as a pattern.
@@ -125,9 +85,10 @@ Status run_ffmpeg(const Film& film, FilmWords words) {
     FilmWords all;
     add_words(all, "ffmpeg -y -xerror -loglevel error");
     all.insert(all.end(), words.begin(), words.end());
-    const Ended ended = run_quietly(std::move(all));
+    const platform::Ran ended = platform::run_program(std::move(all));
     if (ended.how.empty()) return Done{};
-    const std::string why = ended.said.empty() ? ended.how : fmt::format("{}: {}", ended.how, ended.said);
+    const std::string said = without_controls(ended.said);
+    const std::string why = said.empty() ? ended.how : fmt::format("{}: {}", ended.how, said);
     return failed((ended.found ? fmt::format("ffmpeg could not write {} ({})", film.output, why)
                                : std::string("ffmpeg is not installed")) +
                   "; the pictures are in " + film.folder);
@@ -202,7 +163,7 @@ std::string film_endings() {
     return text;
 }
 
-bool have_ffmpeg() { return run_quietly({"ffmpeg", "-loglevel", "quiet", "-version"}).how.empty(); }
+bool have_ffmpeg() { return platform::run_program({"ffmpeg", "-loglevel", "quiet", "-version"}).how.empty(); }
 
 Status encode_film(const Film& film) {
     const std::string texts = film.folder + "/texts";

@@ -1,15 +1,13 @@
 #include "studio/autosave.h"
 
 #include <fmt/format.h>
-#include <signal.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <charconv>
 #include <string_view>
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "platform/process.h"
 #include "scenefile/scene_edit.h"
 #include "scenefile/scene_writer.h"
 #include "studio/user_files.h"
@@ -27,19 +25,17 @@ fs::path state_file(const std::string& name) {
     return folder.empty() ? folder : folder / name;
 }
 
-fs::path own_file_of(pid_t process) { return state_file(fmt::format("{}{}.toml", kAutosavePrefix, process)); }
+fs::path own_file_of(int process) { return state_file(fmt::format("{}{}.toml", kAutosavePrefix, process)); }
 
 // The process that a file belongs to, or 0.
-pid_t process_of(const fs::path& file) {
+int process_of(const fs::path& file) {
     const std::string stem = file.stem().string();
     if (!stem.starts_with(kAutosavePrefix) || file.extension() != ".toml") return 0;
-    pid_t process = 0;
+    int process = 0;
     const char* end = stem.data() + stem.size();
     const auto [last, error] = std::from_chars(stem.data() + kAutosavePrefix.size(), end, process);
     return error == std::errc() && last == end ? process : 0;
 }
-
-bool runs(pid_t process) { return ::kill(process, 0) == 0 || errno == EPERM; }
 
 // Size apart, which follows the window.
 std::string text_of(Scene scene) {
@@ -65,7 +61,7 @@ Status Autosave::keep(const Scene& scene, const Scene& loaded, double now) {
 }
 
 Status Autosave::write(const Scene& scene, const Scene& loaded) {
-    const fs::path file = own_file_of(::getpid());
+    const fs::path file = own_file_of(platform::process_id());
     if (file.empty()) return Done{};
     std::string text = text_of(scene);
     if (text == text_of(loaded)) text.clear();
@@ -86,7 +82,7 @@ Status Autosave::write(const Scene& scene, const Scene& loaded) {
 void Autosave::end(const Scene& scene, const Scene& loaded) {
     if (!write(scene, loaded) || text_.empty()) return;
     std::error_code error;
-    fs::rename(own_file_of(::getpid()), last_session(), error);  // else it is offered as after a crash
+    fs::rename(own_file_of(platform::process_id()), last_session(), error);  // else it is offered as after a crash
 }
 
 std::optional<fs::path> left_scene() {
@@ -94,8 +90,8 @@ std::optional<fs::path> left_scene() {
     fs::file_time_type when;
     std::error_code error;
     for (fs::directory_iterator i(state_folder(), error), end; !error && i != end; i.increment(error)) {
-        const pid_t process = process_of(i->path());
-        if (process <= 0 || runs(process)) continue;
+        const int process = process_of(i->path());
+        if (process <= 0 || platform::is_running(process)) continue;
         std::error_code unknown;
         const fs::file_time_type changed = i->last_write_time(unknown);
         if (unknown || (newest && changed <= when)) continue;

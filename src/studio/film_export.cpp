@@ -1,8 +1,6 @@
 #include "studio/film_export.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -11,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/text.h"
+#include "platform/places.h"
 #include "scenefile/scene_writer.h"
 #include "studio/user_files.h"
 
@@ -19,13 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFilmNiceness = 10;  // the viewer goes first
-
 // Beside this program. Empty: it is not there.
 fs::path capture_program() {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path() / "nullscope";
-    return !error && fs::is_regular_file(program, error) ? program : fs::path();
+    const fs::path program = platform::program_file().parent_path() / platform::program_name("nullscope");
+    return fs::is_regular_file(program, error) ? program : fs::path();
 }
 
 }  // namespace
@@ -47,7 +44,7 @@ Status FilmExport::start(const Scene& scene, const std::string& output) {
     std::error_code error;
     const fs::path home = state_folder(), folder = home.empty() ? fs::temp_directory_path(error) : home;
     fs::create_directories(folder, error);
-    file_ = folder / fmt::format("film-{}.toml", ::getpid());
+    file_ = folder / fmt::format("film-{}.toml", platform::process_id());
     Scene named = scene;
     if (named.name.empty()) named.name = "film";  // not the file's name: the same film goes on where it was left
     TRY(written, write_text_atomically(file_, scene_file_text(named, {})));
@@ -63,7 +60,7 @@ Status FilmExport::start(const Scene& scene, const std::string& output) {
              {std::string("--frames"), fmt::format("0:{}", scene.path->frames), std::string("--resume")})
             words.push_back(word);
     TRY(started, process_.start(std::move(words)));
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(process_.id()), kFilmNiceness);
+    process_.give_way();  // the viewer goes first
     share_ = 0.0, left_s_.reset(), frames_ = scene.path->frames;
     output_ = output, said_.clear(), line_.clear(), message_.clear();
     return Done{};

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "image/picture_formats.h"
+#include "platform/places.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -21,12 +22,12 @@ std::string patterns() {
 }  // namespace
 
 bool FileDialog::available() {
-    static const bool found = is_in_path(kZenity) || is_in_path(kKdialog);
+    static const bool found = platform::is_in_path(kZenity) || platform::is_in_path(kKdialog);
     return found;
 }
 
 Status FileDialog::open() {
-    if (is_in_path(kZenity))
+    if (platform::is_in_path(kZenity))
         return process_.start({kZenity, "--file-selection", "--title=Open a scene",
                                "--file-filter=Scenes, and pictures that hold one | " + patterns()});
     std::error_code error;

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "platform/places.h"
 #include "viewer/panel_rows.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
@@ -134,7 +135,7 @@ void TimelinePanel::draw_film(const ViewState& view, FilmExport& film, bool esca
         for (std::size_t i = 0; i < kSizes.size(); ++i)
             if (choice_item(kSizes[i].words, static_cast<int>(i) == size_)) size_ = static_cast<int>(i);
     });
-    const bool films = is_in_path("ffmpeg");
+    const bool films = platform::is_in_path("ffmpeg");
     bool frames = frames_ || !films;
     ImGui::BeginDisabled(!films);
     if (ImGui::Checkbox("Frames (.png), not a film (.mp4)", &frames)) frames_ = frames;
