@@ -1,18 +1,19 @@
 #include "base/atomic_file.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <csignal>
+#include <cerrno>
 #include <cstdint>
 #include <fstream>
 #include <system_error>
 #include <vector>
 
 #include "base/text.h"
+#include "platform/endings.h"
+#include "platform/process.h"
 
 namespace nullscope {
 namespace {
@@ -25,8 +26,8 @@ constexpr std::size_t kReadChunk = 1u << 20;  // bytes; also bounds what a pipe 
 // extension stays last, because some writers choose the format by it.
 fs::path temporary_beside(const fs::path& target) {
     static std::atomic<unsigned> counter{0};
-    const std::string name =
-        fmt::format(".{}.{}-{}.tmp{}", target.stem().string(), ::getpid(), ++counter, target.extension().string());
+    const std::string name = fmt::format(".{}.{}-{}.tmp{}", target.stem().string(), platform::process_id(), ++counter,
+                                         target.extension().string());
     return target.parent_path() / name;
 }
 
@@ -34,21 +35,18 @@ fs::path temporary_beside(const fs::path& target) {
 // holds a pointer to a TemporaryFile's own name, or null.
 std::array<std::atomic<const char*>, 16> unfinished{};
 
-extern "C" void remove_unfinished(int signal) {
+void remove_unfinished() {
     for (const auto& name : unfinished)
-        if (const char* path = name.load()) ::unlink(path);
-    // Not by SA_RESETHAND: a second signal, to another thread, would end the process before its files are gone.
-    std::signal(signal, SIG_DFL);
-    ::raise(signal);  // the process ends by the signal itself once the handler returns
+        if (const char* path = name.load()) platform::remove_file_at_end(path);
 }
 
 // Removes the file on scope exit, also when the writer throws, and when a signal ends the process.
 class TemporaryFile {
 public:
-    explicit TemporaryFile(fs::path path) : path_(std::move(path)) {
+    explicit TemporaryFile(fs::path path) : path_(std::move(path)), name_(path_.string()) {
         for (auto& slot : unfinished) {
             const char* none = nullptr;
-            if (!slot.compare_exchange_strong(none, path_.c_str())) continue;
+            if (!slot.compare_exchange_strong(none, name_.c_str())) continue;
             slot_ = &slot;
             break;
         }
@@ -64,6 +62,7 @@ public:
 
 private:
     const fs::path path_;
+    const std::string name_;
     std::atomic<const char*>* slot_ = nullptr;  // null if all are taken: then a signal may leave the file
 };
 
@@ -77,13 +76,8 @@ bool is_special(const fs::path& path) {
 
 void clean_up_on_signals() {
     static_assert(std::atomic<const char*>::is_always_lock_free, "the handler may not wait");
-    std::signal(SIGXFSZ, SIG_IGN);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        struct sigaction action {};
-        if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
-        action.sa_handler = remove_unfinished;
-        ::sigaction(signal, &action, nullptr);
-    }
+    platform::make_size_limits_errors();
+    platform::before_ending(remove_unfinished);
 }
 
 Status write_atomically(const fs::path& target, const std::function<Status(const fs::path&)>& write) {
