@@ -1,9 +1,6 @@
 #include "cli/frame_store.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
@@ -19,16 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error system_error(const std::string& file, int number) {
-    return failed(fmt::format("{}: {}", file, std::generic_category().message(number)));
-}
+using LockKind = platform::LockFile::Kind;
 
-// A stamp is removed with a film's folder: a lock on a file that has lost its name holds nothing.
-bool is_named(int descriptor, const std::string& file) {
-    struct stat open {
-    }, named{};
-    return ::fstat(descriptor, &open) == 0 && ::stat(file.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
-           open.st_dev == named.st_dev;
+Error system_error(const std::string& file, const std::error_code& error) {
+    return failed(fmt::format("{}: {}", file, error.message()));
 }
 
 bool is_picture_of_film(const fs::path& file) {
@@ -36,21 +27,11 @@ bool is_picture_of_film(const fs::path& file) {
     return file.extension() == ".png" && stem.size() >= 5 && stem.find_first_not_of("0123456789") == std::string::npos;
 }
 
-// Byte 0 of the stamp file stands for the stamp, byte 1 + N for frame N; they need not exist to be locked. A lock of the
-// descriptor's own is converted in one step. 0, or the error's number.
-int set_lock(int descriptor, short type, long long byte, bool wait = false) {
-    struct flock range {};
-    range.l_type = type;
-    range.l_whence = SEEK_SET;
-    range.l_start = byte;
-    range.l_len = 1;
-    while (::fcntl(descriptor, wait ? F_OFD_SETLKW : F_OFD_SETLK, &range) != 0)
-        if (errno != EINTR) return errno == EACCES ? EAGAIN : errno;
-    return 0;
-}
-
+// Byte 0 of the stamp file stands for the stamp, byte 1 + N for frame N.
 constexpr long long kStampByte = 0;
 long long byte_of(int frame) { return 1LL + frame; }
+
+bool is_taken(const std::error_code& error) { return error == std::errc::resource_unavailable_try_again; }
 
 // How many there were.
 Result<int> remove_pictures(const std::string& folder) {
@@ -64,32 +45,30 @@ Result<int> remove_pictures(const std::string& folder) {
 
 }  // namespace
 
-FrameStore::FrameStore(FrameNames names, std::string stamp_file, int descriptor)
-    : names_(std::move(names)), stamp_file_(std::move(stamp_file)), descriptor_(descriptor) {}
+FrameStore::FrameStore(FrameNames names, std::string stamp_file, platform::LockFile locks)
+    : names_(std::move(names)), stamp_file_(std::move(stamp_file)), locks_(std::move(locks)) {}
 
 // A stamp stays that other runs draw under, or have drawn under.
 FrameStore::~FrameStore() {
-    if (descriptor_ < 0) return;
-    const bool alone =
-        new_ && set_lock(descriptor_, F_WRLCK, kStampByte) == 0 && (!shared_ || names_.on_disk().empty());
-    if (alone && is_named(descriptor_, stamp_file_)) ::unlink(stamp_file_.c_str());
-    ::close(descriptor_);  // which frees the locks
+    if (!locks_.is_open()) return;
+    const bool alone = new_ && !locks_.set(LockKind::kExclusive, kStampByte) && (!shared_ || names_.on_disk().empty());
+    if (alone) locks_.remove_and_close();
 }
 
-// The descriptor is inherited by ffmpeg on purpose: an encoder that outlives a killed run keeps the pictures locked.
+// Programs keep the locks too, which is for ffmpeg: an encoder that outlives a killed run keeps the pictures locked.
 Result<std::unique_ptr<FrameStore>> FrameStore::lock(const FrameNames& names, const std::string& stamp_file,
                                                      const std::string& what, Lock kind, double patience_s) {
     using Clock = std::chrono::steady_clock;
     const auto deadline = Clock::now() + std::chrono::duration<double>(patience_s);
     for (;;) {
-        const int descriptor = ::open(stamp_file.c_str(), O_RDWR | O_CREAT, 0666);
-        if (descriptor < 0) return system_error(stamp_file, errno);
-        std::unique_ptr<FrameStore> store(new FrameStore(names, stamp_file, descriptor));
-        const int error = set_lock(descriptor, kind == Lock::kShared ? F_RDLCK : F_WRLCK, kStampByte);
-        if (error == 0 && is_named(descriptor, stamp_file)) return store;
-        if (error == 0) continue;
-        if (error != EAGAIN)
-            return failed(fmt::format("{}: cannot be locked: {}", stamp_file, std::generic_category().message(error)));
+        platform::LockFile locks;
+        if (const auto error = locks.open(stamp_file, platform::LockFile::Kept::kLeft))
+            return system_error(stamp_file, error);
+        const auto error = locks.set(kind == Lock::kShared ? LockKind::kShared : LockKind::kExclusive, kStampByte);
+        const bool named = locks.has_its_name();  // a stamp is removed with a film's folder
+        if (!error && named) return std::unique_ptr<FrameStore>(new FrameStore(names, stamp_file, std::move(locks)));
+        if (!error) continue;
+        if (!is_taken(error)) return failed(fmt::format("{}: cannot be locked: {}", stamp_file, error.message()));
         if (Clock::now() >= deadline)
             return failed(fmt::format("{}: another run is drawing it; wait for it to end, or choose another -o", what));
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -100,7 +79,7 @@ Result<std::unique_ptr<FrameStore>> FrameStore::lock(const FrameNames& names, co
 Status FrameStore::write(const std::string& stamp) const {
     std::ofstream file(stamp_file_, std::ios::binary | std::ios::trunc);
     if (file << stamp << std::flush) return Done{};
-    return system_error(stamp_file_, errno);
+    return system_error(stamp_file_, {errno, std::generic_category()});
 }
 
 Result<std::unique_ptr<FrameStore>> FrameStore::open_film(const std::string& folder, const std::string& stamp) {
@@ -157,31 +136,27 @@ Result<std::unique_ptr<FrameStore>> FrameStore::open_sequence(const FrameNames& 
     }
     if (!resume) return store;
     (*store)->shared_ = true;
-    if (const int error = set_lock((*store)->descriptor_, F_RDLCK, kStampByte)) return system_error(stamp_file, error);
+    if (const auto error = (*store)->locks_.set(LockKind::kShared, kStampByte)) return system_error(stamp_file, error);
     return store;
 }
 
 Result<bool> FrameStore::reserve(int frame, bool wait) const {
-    const int error = set_lock(descriptor_, F_WRLCK, byte_of(frame), wait);
-    if (error != 0 && error != EAGAIN) return system_error(stamp_file_, error);
-    return error == 0;
+    const auto error = locks_.set(LockKind::kExclusive, byte_of(frame), wait);
+    if (error && !is_taken(error)) return system_error(stamp_file_, error);
+    return !error;
 }
 
 Status FrameStore::reopen() {
-    const int own = ::open(stamp_file_.c_str(), O_RDWR | O_CLOEXEC);
-    if (own < 0) return system_error(stamp_file_, errno);
-    descriptor_ = own;  // the one before stays open, and with it the run's lock
+    platform::LockFile own;
+    if (const auto error = own.open(stamp_file_, platform::LockFile::Kept::kHere))
+        return system_error(stamp_file_, error);
+    locks_.forget();  // the one before stays open, and with it the run's lock
+    locks_ = std::move(own);
     return Done{};
 }
 
-void FrameStore::release(int frame) const { set_lock(descriptor_, F_UNLCK, byte_of(frame)); }
+void FrameStore::release(int frame) const { locks_.set(LockKind::kNone, byte_of(frame)); }
 
-bool FrameStore::has(int frame) const {
-    struct stat picture {
-    }, stamp{};
-    if (::stat(file(frame).c_str(), &picture) != 0 || ::fstat(descriptor_, &stamp) != 0) return false;
-    const auto time = [](const struct stat& s) { return std::pair(s.st_mtim.tv_sec, s.st_mtim.tv_nsec); };
-    return time(picture) >= time(stamp);
-}
+bool FrameStore::has(int frame) const { return locks_.is_as_old_as(file(frame)); }
 
 }  // namespace nullscope::cli

@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "cli/capture_options.h"
 #include "command/arguments.h"
+#include "platform/file_lock.h"
 #include "scene/scene.h"
 
 namespace nullscope::cli {
@@ -81,7 +82,7 @@ public:
 
 private:
     enum class Lock { kShared, kExclusive };
-    FrameStore(FrameNames names, std::string stamp_file, int descriptor);
+    FrameStore(FrameNames names, std::string stamp_file, platform::LockFile locks);
     // patience_s: how long to wait for another run's lock.
     static Result<std::unique_ptr<FrameStore>> lock(const FrameNames& names, const std::string& stamp_file,
                                                     const std::string& what, Lock kind, double patience_s);
@@ -90,7 +91,7 @@ private:
 
     FrameNames names_;
     std::string stamp_file_;
-    int descriptor_;
+    platform::LockFile locks_;
     bool new_ = false;     // the stamp is this run's, and it has drawn no picture yet
     bool shared_ = false;  // others may have drawn
 };
