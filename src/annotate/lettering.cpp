@@ -96,7 +96,8 @@ Result<Lettering> Lettering::open(double size_px) {
     const auto file = sans_font_file();
     if (!file) return failed("no sans font is installed (Debian: fonts-dejavu-core) or named by NULLSCOPE_FONT");
     auto face = std::make_unique<Face>();
-    if (FT_Init_FreeType(&face->library) != 0 || FT_New_Face(face->library, file->c_str(), 0, &face->face) != 0 ||
+    if (FT_Init_FreeType(&face->library) != 0 ||
+        FT_New_Face(face->library, file->string().c_str(), 0, &face->face) != 0 ||
         FT_Set_Char_Size(face->face, 0, static_cast<FT_F26Dot6>(std::lround(64.0 * std::max(size_px, 1.0))), 72, 72) !=
             0)
         return failed(fmt::format("'{}' is not a font that FreeType reads", file->string()));

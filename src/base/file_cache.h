@@ -58,7 +58,7 @@ private:
     };
     std::size_t most_, largest_;
     mutable std::mutex mutex_;
-    std::map<std::string, Kept> kept_;
+    std::map<std::filesystem::path::string_type, Kept> kept_;
 };
 
 }  // namespace nullscope

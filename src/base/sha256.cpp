@@ -1,15 +1,14 @@
 #include "base/sha256.h"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <vector>
+
+#include "platform/sha256.h"
 
 namespace nullscope {
 namespace {
@@ -20,18 +19,15 @@ Result<std::string> sha256_now(const fs::path& file) {
     const auto unreadable = [&] { return bad_input(fmt::format("cannot read '{}'", file.string())); };
     std::ifstream in(file, std::ios::binary);
     if (!in) return unreadable();
-    const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> hash(EVP_MD_CTX_new(), EVP_MD_CTX_free);
-    bool good = hash != nullptr && EVP_DigestInit_ex(hash.get(), EVP_sha256(), nullptr) == 1;
+    platform::Sha256 hash;
     std::vector<char> bytes(1u << 20);
-    while (good && (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())), in.gcount() > 0))
-        good = EVP_DigestUpdate(hash.get(), bytes.data(), static_cast<std::size_t>(in.gcount())) == 1;
+    while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())), in.gcount() > 0)
+        hash.add({bytes.data(), static_cast<std::size_t>(in.gcount())});
     if (in.bad()) return unreadable();
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned size = 0;
-    if (!good || EVP_DigestFinal_ex(hash.get(), digest.data(), &size) != 1)
-        return failed(fmt::format("SHA-256 of '{}': libcrypto fails", file.string()));
+    const auto digest = hash.digest();
+    if (!digest) return failed(fmt::format("SHA-256 of '{}' cannot be computed", file.string()));
     std::string text;
-    for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
+    for (const unsigned char byte : *digest) text += fmt::format("{:02x}", byte);
     return text;
 }
 
@@ -45,7 +41,7 @@ struct KnownHash {
 
 Result<std::string> sha256_of(const fs::path& file) {
     static std::mutex mutex;
-    static std::map<std::string, KnownHash> known;
+    static std::map<fs::path::string_type, KnownHash> known;
     constexpr std::size_t kMostKept = 1000;
     std::error_code none;
     const auto time = fs::last_write_time(file, none);

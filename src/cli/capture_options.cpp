@@ -79,7 +79,8 @@ bool CaptureOptions::to_one_picture() const { return frames.empty() && !to_film(
 
 Status check_output(const CaptureOptions& options) {
     const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
-    if (std::error_code none; !folder.empty() && !names_frames(folder) && !std::filesystem::is_directory(folder, none))
+    if (std::error_code none;
+        !folder.empty() && !names_frames(folder.string()) && !std::filesystem::is_directory(folder, none))
         return failed(fmt::format("-o {}: there is no folder '{}'", options.output, folder.string()));
     if (options.format() == nullptr && !options.to_film())
         return bad_input(fmt::format("-o {}: unknown kind of file", options.output),

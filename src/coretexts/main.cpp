@@ -122,7 +122,7 @@ int main(int argc, char** argv) {
         all += "namespace " + variant.name + " {\n" + text + "#include \"shadercore/core_variant.inl\"\n}\n" +
                undefs(text);
     }
-    std::ofstream output(argv[2]);
+    std::ofstream output(argv[2], std::ios::binary);
     output << all;
     return output.flush() ? 0 : 1;
 }

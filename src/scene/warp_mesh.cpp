@@ -243,7 +243,7 @@ WarpScreen screen_of(const CameraSpec& camera) {
 
 // For rays, of which there are many: the file is not looked at again.
 const WarpMesh* mesh_of(const CameraSpec& camera) {
-    thread_local std::string path;
+    thread_local std::filesystem::path::string_type path;
     thread_local WarpScreen screen;
     thread_local std::shared_ptr<const WarpMesh> mesh;
     thread_local int known = -1;

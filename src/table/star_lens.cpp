@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace nullscope {
@@ -49,8 +51,8 @@ struct Place {
 Place at(const std::vector<Sample>& samples, double x) {
     const auto above =
         std::lower_bound(samples.begin(), samples.end(), x, [](const Sample& s, double p) { return s.x < p; });
-    const long next = above - samples.begin(), most = static_cast<long>(samples.size()) - kPoints;
-    const Sample* s = samples.data() + std::clamp(next - kPoints / 2, 0L, most);
+    const std::ptrdiff_t next = above - samples.begin(), most = std::ssize(samples) - kPoints;
+    const Sample* s = samples.data() + std::clamp(next - kPoints / 2, std::ptrdiff_t{0}, most);
     Place place{0.0, 0.0, 0.0};
     for (int i = 0; i < kPoints; ++i) {
         double weight = 1.0, slope = 0.0, bend = 0.0;

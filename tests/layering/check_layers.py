@@ -27,7 +27,7 @@ def stated_packages():
 PACKAGES = [
     *stated_packages(),
     ("FreeType", re.compile(r"^(ft2build\.h|freetype/.*)$"), {"annotate"}),
-    ("libcrypto", re.compile(r"^openssl/"), {"base/sha256.cpp"}),
+    ("libcrypto", re.compile(r"^openssl/"), {"platform/posix/sha256.cpp"}),
     ("Dear ImGui", re.compile(r"^(imgui/)?(backends/)?imgui\w*\.h$"), {"viewer"}),
     ("GLFW", re.compile(r"^GLFW/"), {"viewer", "context/glfw.cpp"}),
     ("toml++", re.compile(r"^toml(\+\+|plusplus)?/|^toml\.hpp$|^toml\+\+$"), {"scenefile", "studio/user_files.cpp"}),
