@@ -1,7 +1,7 @@
-// 1 - x^2 - y^2 - z^2 to rounding of the result: the squares are exact sums of two doubles (fma), and so are the differences
+// 1 - x^2 - y^2 - z^2 to rounding of the result: the squares are exact sums of two doubles, and so are the differences
 // (Knuth, The Art of Computer Programming 2, 4.2.2).
 #pragma once
-#include <cmath>
+#include "base/exact_product.h"
 
 namespace nullscope {
 
@@ -11,7 +11,7 @@ inline long double one_minus_square(double x, double y, double z) {
         const double square = part * part;
         const double next = sum - square;
         const double taken = sum - next;
-        tail += (sum - (next + taken)) + (taken - square) - std::fma(part, part, -square);
+        tail += (sum - (next + taken)) + (taken - square) - product_rest(part, part, square);
         sum = next;
     }
     return static_cast<long double>(sum) + tail;

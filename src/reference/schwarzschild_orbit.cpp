@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/exact_product.h"
 #include "reference/elliptic.h"
 #include "reference/plane_metrics.h"
 #include "reference/smooth_segment.h"
@@ -328,10 +329,10 @@ double delta2_of(double q) { return ((q - kCritical) - kCriticalRest) * (q + kCr
 
 // q^2 - zeta^2 (1 - zeta) with an error of 1e-32 q^2: products and sums carry their rounding errors along.
 double orbit_polynomial(double q, double zeta) {
-    const double q2 = q * q, q2_rest = std::fma(q, q, -q2);
-    const double z2 = zeta * zeta, z2_rest = std::fma(zeta, zeta, -z2);
+    const double q2 = q * q, q2_rest = product_rest(q, q, q2);
+    const double z2 = zeta * zeta, z2_rest = product_rest(zeta, zeta, z2);
     const double a = 1 - zeta, part = a - 1, a_rest = (1 - (a - part)) + (-zeta - part);
-    const double v = z2 * a, v_rest = std::fma(z2, a, -v) + (z2_rest * a + z2 * a_rest);
+    const double v = z2 * a, v_rest = product_rest(z2, a, v) + (z2_rest * a + z2 * a_rest);
     return (q2 - v) + (q2_rest - v_rest);
 }
 
