@@ -342,6 +342,6 @@ MUTANTS = [Mutant(*row) for row in [
      "-(dot(normal_, place_of(s)) / dot(normal_, speed(s, rate)))", "Number(-(dot(normal_, place_of(s)) / dot(normal_, speed(s, rate))).value)", GRADIENT),
     ("gradient-chain", "a division without the derivative of what it is by", "src/gradient/dual.h",
      "(a.d[i] - x.value * b.d[i]) / b.value", "a.d[i] / b.value", GRADIENT),
-    ("fit-flux", "the scale that fits best is its inverse", "src/fit/solver.cpp",
+    ("fit-flux", "the scale that fits best is its inverse", "src/fit/comparison.cpp",
      "with_itself > 0 ? with_data / with_itself : 1", "with_itself > 0 ? with_itself / with_data : 1", ("cli", "test_fit.py")),
 ]]

@@ -16,6 +16,7 @@
 #include "command/options.h"
 #include "fit/nuisance.h"
 #include "fit/report.h"
+#include "fit/solver.h"
 #include "fit/subject.h"
 #include "fit/visibility_subject.h"
 #include "scenefile/scene_writer.h"
@@ -65,6 +66,8 @@ Result<fit::Subject> subject_of(const FitCommandOptions& options, const FreeScen
 }
 
 Result<int> run_fit_command(const FitCommandOptions& options) {
+    if (!fit::can_solve())
+        return failed("this program was built without Ceres Solver (NULLSCOPE_FIT), which fits need");
     TRY(free, free_scene(options));
     TRY(subject, subject_of(options, *free));
     fit::FitOptions fitting;

@@ -56,6 +56,8 @@ struct Solution {
 
 Steps steps_at(const Solution& solution);
 
+bool can_solve();  // false: built without Ceres (NULLSCOPE_FIT), and solve() fails
+
 // Cost: each step 1 + 2 free.size() predictions, some 5 to 15 steps.
 Result<Solution> solve(const Problem& problem, const std::vector<double>& start, const Steps& steps);
 
