@@ -29,8 +29,8 @@ namespace {
 // By which driver, whatever context it is in: EGL and OSMesa have the same one.
 Result<std::map<std::string, std::string>> words_of(PictureOrigin origin, std::string_view made_by,
                                                     bool displayed = false) {
-    for (const std::string_view context : {"egl, ", "osmesa, "})
-        if (made_by.starts_with(context)) made_by.remove_prefix(context.size());
+    for (const std::string& kind : context_kinds())
+        if (made_by.starts_with(kind + ", ")) made_by.remove_prefix(kind.size() + 2);
     origin.renderer = made_by;
     origin.version = kVersionText;
     return displayed ? displayed_picture_words(origin) : picture_words(origin);

@@ -195,7 +195,7 @@ void add_plan(Command& parent) {
     command.add_flag("--measure", &options.measure,
                      "Draw the scene with and without each effect, and show what the effect costs");
     number_option(command, "--frames", options.frames, 3, 1000, "Frames of each kind").needs("--measure");
-    context_option(command, options.context, "OpenGL context of --measure: auto, egl, osmesa");
+    context_option(command, options.context, "OpenGL context of --measure");
 }
 
 }  // namespace nullscope::cli

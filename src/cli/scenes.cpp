@@ -44,7 +44,7 @@ void add_info(Command& parent) {
         parent.add_command("info", "Show which OpenGL contexts work here, with driver, version and limits");
     command.on_run([]() -> Result<int> {
         int working = 0;
-        for (const char* kind : {"egl", "osmesa"}) {
+        for (const std::string& kind : context_kinds()) {
             auto session = open_session(kind);
             if (!session) {
                 fmt::print("{}: not here: {}\n", kind, session.error().message());

@@ -165,7 +165,7 @@ void add_trace(Command& parent) {
         ".yaw, .pitch, .roll, .fov, disc.tilt, .node, .precession: columns derivatives (yes, edge or "
         "lost) and d_KEY.x, .y, .z, .g, .delay, .r_1, .phi_1, ... per rad, r_s or 1; with the reference");
     stage_option(command, options.stage);
-    context_option(command, options.context, "OpenGL context of --with gl: auto, egl, osmesa");
+    context_option(command, options.context, "OpenGL context of --with gl");
     number_option(
         command, "--points", options.points, 0, kMostCurvePoints,
         "Each ray as a curve of N points instead: ray, lambda (affine parameter), r, theta, phi, t; -o NAME.obj "

@@ -68,9 +68,10 @@ Result<Scene> asked_scene(const Options& options) {
 }
 
 // --context and --device of what draws; help says what for.
-inline void context_option(Command& command, ContextChoice& context,
-                           const char* help = "OpenGL context: auto, egl, osmesa") {
-    text_option(command, "--context", context.kind, help, {"auto", "egl", "osmesa"});
+inline void context_option(Command& command, ContextChoice& context, const std::string& help = "OpenGL context") {
+    std::vector<std::string> kinds = context_kinds();
+    kinds.insert(kinds.begin(), "auto");
+    text_option(command, "--context", context.kind, fmt::format("{}: {}", help, fmt::join(kinds, ", ")), kinds);
     command.add_option("--device", &context.device, "OpenGL device, by its number in: nullscope devices")
         .in_range(0, 1000);
 }
