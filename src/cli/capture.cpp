@@ -203,14 +203,18 @@ Result<std::map<std::string, std::string>> film_words(const CaptureJob& job, con
     return std::move(*words);
 }
 
-Status finish_film(const CaptureJob& job, const CaptureOptions& options, FrameStore& store) {
+Status finish_film(const CaptureJob& job, const CaptureOptions& options, std::unique_ptr<FrameStore> store) {
     const double rate = job.scene.path ? job.scene.path->rate : PathSpec{}.rate;
     const int count = job.frames.end - job.frames.first;
-    TRY(words, film_words(job, options, store.file(job.frames.first)));
+    TRY(words, film_words(job, options, store->file(job.frames.first)));
     TRY(made, encode_film({film_folder(options), job.frames.first, count, rate, options.output, options.ffmpeg,
                            options.words_asked(), std::move(*words), sphere_in(job, options.time_step, job.frames)}));
     std::error_code error;
     std::filesystem::remove_all(film_folder(options), error);
+    if (error) {  // Windows does not remove what is open
+        store.reset();
+        std::filesystem::remove_all(film_folder(options), error);
+    }
     const auto [width, height] = stereo_size(job.scene.camera);
     fmt::print("{}: {}x{}, {} frames at {} a second\n", options.output, width, height, count, rate);
     return Done{};
@@ -229,7 +233,7 @@ Status run_capture(const CaptureOptions& given) {
     if (!options.quiet) say_backwards(*job);
     TRY(store, store_of(*job, options));
     TRY(drawn, draw_all(*job, options, store->get()));
-    return options.to_film() ? finish_film(*job, options, **store) : Status(Done{});
+    return options.to_film() ? finish_film(*job, options, std::move(*store)) : Status(Done{});
 }
 
 }  // namespace

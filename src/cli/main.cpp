@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "cli/command.h"
 #include "command/session.h"
+#include "platform/console.h"
 #include "version/version.h"
 
 namespace nullscope::cli {
@@ -34,6 +35,7 @@ int report_unwritable_output() {
 }  // namespace nullscope::cli
 
 int main(int argc, char** argv) {
+    nullscope::platform::begin_console();
     nullscope::clean_up_on_signals();
     nullscope::cli::name_driver_at_death("nullscope");
     using namespace nullscope::cli;

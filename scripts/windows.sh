@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# Builds nullscope.exe for Windows (x86-64, 10 and later) with Debian's mingw-w64, and tests it under Wine.
+#
+#   scripts/windows.sh [STEP...]      STEP: libraries, build, imports, test; all of them by default
+#
+# Libraries are built from the distribution's sources (apt-get source) into build/windows/prefix, once; everything is linked statically. It
+# needs the packages g++-mingw-w64-x86-64-posix, libz-mingw-w64-dev, dpkg-dev and wine, to test xvfb too: where one is missing, or the sources
+# cannot be fetched, a line says so and the status is 0. Some 10 core-minutes for the libraries, 20 for the program.
+set -euo pipefail
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+folder=$repository/build/windows
+case "${1-}" in -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"; exit 0 ;; esac
+say() { echo "windows: $*" >&2; }
+skip() { say "left out: $*"; exit 0; }
+wanted() { [[ ${#steps[@]} -eq 0 || " ${steps[*]} " == *" $1 "* ]]; }
+steps=("$@")
+
+for tool in x86_64-w64-mingw32-g++-posix dpkg-source wine; do
+    command -v "$tool" >/dev/null || skip "$tool is not installed: apt install g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev wine"
+done
+export NULLSCOPE_WINDOWS_PREFIX=$folder/prefix WINEPREFIX=$folder/wine WINEDEBUG=-all
+export PKG_CONFIG_LIBDIR=$folder/prefix/lib/pkgconfig
+mkdir -p "$folder/sources/apt/lists/partial" "$folder/sources/apt/cache/archives/partial" "$folder/prefix"
+
+# The source of a package, patched as the distribution does, or where that is not to be had as its authors released it.
+sources=(-o Dir::Etc::SourceList="$folder/sources/list" -o Dir::Etc::SourceParts=- -o Dir::State::Lists="$folder/sources/apt/lists"
+         -o Dir::Cache="$folder/sources/apt/cache" -o APT::Sandbox::User=root)
+source_of() {
+    local package=$1 place=$folder/sources/$1
+    [[ -e $place/tree ]] && return
+    rm -rf "$place" && mkdir -p "$place"
+    if [[ ! -e $folder/sources/list ]]; then
+        . /etc/os-release
+        for suite in "$VERSION_CODENAME ${MIRROR:-http://deb.debian.org/debian}" "$VERSION_CODENAME-security ${MIRROR:-http://deb.debian.org/debian}-security"; do
+            echo "deb-src ${suite#* } ${suite% *} main"
+        done >"$folder/sources/list"
+        apt-get "${sources[@]}" update >"$folder/sources/apt.log" 2>&1 || { rm "$folder/sources/list"; skip "the list of sources cannot be had"; }
+    fi
+    (cd "$place" && apt-get "${sources[@]}" source --download-only "$package" >>"$folder/sources/apt.log" 2>&1) || true
+    if ! (cd "$place" && dpkg-source --no-check -x ./*.dsc tree >/dev/null 2>&1); then
+        ls "$place"/*.orig.tar.* >/dev/null 2>&1 || skip "the source of $package cannot be had"
+        say "$package without the distribution's patches, which cannot be had"
+        rm -rf "$place/tree"
+        mkdir "$place/unpacked" && tar -xf "$place"/*.orig.tar.[bgx]z* -C "$place/unpacked" && mv "$place"/unpacked/* "$place/tree"
+    fi
+}
+
+# library PACKAGE OPTION...: what its CMake installs, once.
+library() {
+    local package=$1 done=$folder/prefix/$1.whole
+    shift
+    [[ -e $done ]] && return
+    say "the library $package"
+    source_of "$package"
+    cmake -G Ninja -S "$folder/sources/$package/tree" -B "$folder/sources/$package/build" --toolchain "$repository/scripts/windows.cmake" \
+        -DCMAKE_BUILD_TYPE=Release -DCMAKE_{C,CXX}_FLAGS_RELEASE="-O2 -DNDEBUG" -DCMAKE_INSTALL_PREFIX="$folder/prefix" -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF \
+        "$@" >"$folder/sources/$package.log" 2>&1 &&
+        cmake --build "$folder/sources/$package/build" --target install >>"$folder/sources/$package.log" 2>&1 ||
+        { tail -n 20 "$folder/sources/$package.log" >&2; exit 1; }
+    touch "$done"
+}
+
+if wanted libraries; then
+    # Headers alone are the same everywhere; with them go the files by which CMake finds them.
+    mkdir -p "$folder/prefix/include" "$folder/prefix/share/cmake" "$folder/prefix/lib/pkgconfig"
+    for headers in boost CLI fast_float glm nlohmann stb toml++; do
+        [[ -e /usr/include/$headers ]] || skip "/usr/include/$headers is missing: scripts/install-packages.sh"
+        ln -sfn "/usr/include/$headers" "$folder/prefix/include/$headers"
+    done
+    cp -r /usr/share/cmake/{CLI11,glm,nlohmann_json} "$folder/prefix/share/cmake"
+    ln -sfn /usr/x86_64-w64-mingw32/include/zlib.h /usr/x86_64-w64-mingw32/include/zconf.h "$folder/prefix/include"
+    cp -u /usr/x86_64-w64-mingw32/lib/libz.a "$folder/prefix/lib"
+    # The distribution's own file asks for the shared library.
+    mkdir -p "$folder/prefix/lib/cmake/tomlplusplus"
+    printf 'add_library(tomlplusplus::tomlplusplus INTERFACE IMPORTED)\nset_target_properties(tomlplusplus::tomlplusplus PROPERTIES INTERFACE_INCLUDE_DIRECTORIES %s)\n' \
+        "$folder/prefix/include" >"$folder/prefix/lib/cmake/tomlplusplus/tomlplusplusConfig.cmake"
+    library fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
+    library libjpeg-turbo -DENABLE_SHARED=OFF -DWITH_SIMD=OFF -DWITH_TURBOJPEG=OFF
+    library libpng1.6 -DPNG_SHARED=OFF -DPNG_TESTS=OFF
+    library tiff -Dtiff-tools=OFF -Dtiff-tests=OFF -Dtiff-docs=OFF -Dtiff-contrib=OFF -Dlzma=OFF -Dzstd=OFF -Dwebp=OFF -Djbig=OFF -Dlerc=OFF -Dlibdeflate=OFF
+    library freetype -DFT_REQUIRE_ZLIB=ON -DFT_DISABLE_{BZIP2,PNG,HARFBUZZ,BROTLI}=ON
+    library cfitsio -DUSE_CURL=OFF
+    library imath
+    library openexr -DOPENEXR_BUILD_TOOLS=OFF -DOPENEXR_INSTALL_EXAMPLES=OFF -DOPENEXR_INSTALL_TOOLS=OFF
+    library onetbb -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF
+fi
+
+if wanted build; then
+    say "building"
+    cmake -G Ninja -S "$repository" -B "$folder/build" --toolchain "$repository/scripts/windows.cmake" -DCMAKE_BUILD_TYPE=Release \
+        -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -DNULLSCOPE_UNITY=ON -DNULLSCOPE_FIT=OFF -DNULLSCOPE_VIEWER=OFF -DNULLSCOPE_TESTS=OFF \
+        >"$folder/configure.log" || { tail -n 20 "$folder/configure.log" >&2; exit 1; }
+    cmake --build "$folder/build" --target nullscope
+fi
+
+if wanted imports; then
+    # Nothing that Windows itself does not bring.
+    x86_64-w64-mingw32-objdump -p "$folder/build/bin/nullscope.exe" | sed -n 's/^\tDLL Name: //p'
+fi
+! wanted test || python3 -B "$repository/tests/windows/test_windows.py" "$repository/build/release/bin/nullscope"
