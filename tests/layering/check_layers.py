@@ -26,6 +26,7 @@ def stated_packages():
 # A package of others may be included by these modules (or single files) of src/ and nowhere else.
 PACKAGES = [
     *stated_packages(),
+    ("a header of one system", re.compile(r"^(?:dlfcn|fcntl|io|malloc|poll|pwd|signal|spawn|unistd|windows|psapi|bcrypt)\.h$|^sys/"), {"platform"}),
     ("FreeType", re.compile(r"^(ft2build\.h|freetype/.*)$"), {"annotate"}),
     ("libcrypto", re.compile(r"^openssl/"), {"platform/posix/sha256.cpp"}),
     ("Dear ImGui", re.compile(r"^(imgui/)?(backends/)?imgui\w*\.h$"), {"viewer"}),
@@ -35,6 +36,8 @@ PACKAGES = [
     ("nlohmann-json", re.compile(r"^nlohmann/"), {"cli", "command", "bench"}),
     ("Boost", re.compile(r"^boost/"), {"fit", "reference"}),
 ]
+# Macros of one system: what differs between systems is in src/platform.
+SYSTEM_MACRO = re.compile(r"\b(_WIN32|__MINGW\d+__|__linux__|__unix__|__APPLE__)\b")
 # The reference shares no geodesic code with what it judges, not even through a third module.
 REFERENCE, REFERENCE_AVOIDS = "reference", {"shadercore", "table", "gl", "shaderlib", "render"}
 # Shader files may be seen by C++ in these modules only.
@@ -212,6 +215,9 @@ def check_includes(root, allowed):
             reason = check_include(where, module, target, match[1] is not None, allowed)
             if reason:
                 yield f"src/{where}:{code.count(chr(10), 0, match.start()) + 1}: #include {target}: {reason}"
+        for match in SYSTEM_MACRO.finditer(code):
+            if module != "platform":
+                yield f"src/{where}:{code.count(chr(10), 0, match.start()) + 1}: {match[1]} outside of src/platform"
 
 
 def check_shader_includes(codes, allowed):
