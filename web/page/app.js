@@ -165,6 +165,7 @@ const proof = new Proof(view, get("proof"), get("heat"), async () => ({
 const telescope = new Telescope(view, get("telescope"), get("beam"));
 async function showPlan() {
   proof.plan(await view.ask("plan"));
+  await proof.estimate();
 }
 
 // ---- the bar

@@ -1,8 +1,9 @@
 // The judge in a worker of its own: { rays } in, as Engine.rays() gives them; { certificate, heat } out while it measures, the last with `whole`.
+// Of rays without pixels it measures some of the picture, to tell how long all would take: { certificate } out, once.
 
 import { Module } from "./module.js";
 
-const SAY_MS = 400;
+const SAY_MS = 400, TRY_MS = 500;
 
 onmessage = async ({ data: { base, rays } }) => {
   try {
@@ -14,6 +15,7 @@ onmessage = async ({ data: { base, rays } }) => {
       for (const path of missed) reference.call("put_file", path, await content(path, base));
     }
     const began = performance.now();
+    if (rays.pixels.length === 0) return postMessage({ certificate: pace(reference, rays) });
     let said = 0;
     for (let more = true; more;) {
       more = Boolean(reference.exports.judge_next());
@@ -26,7 +28,18 @@ onmessage = async ({ data: { base, rays } }) => {
   } catch (error) {
     postMessage({ error: error.message });
   }
+  return undefined;
 };
+
+// By some tiles; the first one is not counted, in which the browser still compiles.
+function pace(reference, { width, height }) {
+  const { judge_trial: measure } = reference.exports;
+  measure(0);
+  const began = performance.now();
+  let measured = 0;
+  for (let i = 1; i === 1 || performance.now() - began < TRY_MS; ++i) measured += measure(i);
+  return { pixels: width * height, measured, seconds: (performance.now() - began) / 1000 };
+}
 
 // Rays are not traced by pictures: that there is one is enough. A mesh for the picture is another matter.
 async function content(path, base) {

@@ -4,16 +4,23 @@ import { make } from "./controls.js";
 import { plain } from "./view.js";
 
 const MOST_PIXELS = 640 * 360;
+const HERE = new URL("./", import.meta.url).href;
 
 const count = (n) => n.toLocaleString("en").replaceAll(",", "\u202f");
 const px = (x) => (x === 0 ? "0 px" : x < 1e-4 ? `${x.toExponential(1)} px` : `${Number(x.toPrecision(2))} px`);
 
 // Rays that end on the sky or on something, both as the GPU and as the reference have them: where they end can be compared.
 const positions = ({ sky_px: sky, place_px: place }) => sky.count + place.count;
-// How long the rest takes, as people say it.
-function left({ measured, pixels, seconds }) {
-  const rest = (pixels - measured) * seconds / Math.max(measured, 1);
-  return rest < 90 ? `some ${Math.max(1, Math.round(rest))} s are left` : `some ${Math.round(rest / 60)} minutes are left`;
+// How long it takes to measure so many pixels, as people say it.
+function duration(count, { measured, seconds }) {
+  const all = count * seconds / Math.max(measured, 1);
+  return all < 90 ? `some ${Math.max(1, Math.round(all))} s` : `some ${Math.round(all / 60)} minutes`;
+}
+
+function judging(heard) {
+  const judge = new Worker(new URL("judge.js", HERE), { type: "module" });
+  judge.onmessage = ({ data }) => heard(data);
+  return judge;
 }
 
 export class Proof {
@@ -60,7 +67,30 @@ export class Proof {
       make("dt", { textContent: effect }), make("dd", {}, reason, make("small", { textContent: cost }))]));
   }
 
+  // Says how long it would take here, by some of the reference's rays, or why nothing can be measured; before anybody asks.
+  async estimate() {
+    this.trial?.terminate();
+    if (this.judge || !this.text.hidden) return;
+    try {
+      const rays = { ...this.#size(), line: await this.view.ask("sceneLine"), pixels: new Uint8Array() };
+      this.trial = judging(({ error, certificate }) => {
+        this.trial.terminate();
+        if (this.judge || this.button.disabled) return;
+        this.#say(error === undefined ? `Measuring takes ${duration(certificate.pixels, certificate)} here.` : plain(error));
+      });
+      this.trial.postMessage({ base: HERE, rays });
+    } catch {
+      this.#say("");   // there is no scene
+    }
+  }
+  // Of the picture that is measured, px.
+  #size() {
+    const box = this.view.getBoundingClientRect(), ratio = devicePixelRatio || 1;
+    const width = box.width * ratio, height = box.height * ratio, scale = Math.min(1, Math.sqrt(MOST_PIXELS / (width * height)));
+    return { width: Math.floor(width * scale), height: Math.floor(height * scale) };
+  }
   async #measure() {
+    this.trial?.terminate();
     const device = this.view.device;
     if (device && !device.floats)
       return this.#say("This device cannot draw to textures of floats, so its rays cannot be read. The picture is not affected.");
@@ -69,14 +99,11 @@ export class Proof {
     this.button.disabled = true;
     try {
       if (this.falls) await this.view.letGo();
-      const box = this.view.getBoundingClientRect(), ratio = devicePixelRatio || 1;
-      const whole = [box.width * ratio, box.height * ratio], scale = Math.min(1, Math.sqrt(MOST_PIXELS / (whole[0] * whole[1])));
-      const rays = await this.view.ask("rays", Math.floor(whole[0] * scale), Math.floor(whole[1] * scale));
+      const { width, height } = this.#size(), rays = await this.view.ask("rays", width, height);
       this.about = { ...(await this.scene()), device: rays.device, browser: browser(), width: rays.width, height: rays.height, date: new Date() };
-      this.judge = new Worker(new URL("judge.js", import.meta.url), { type: "module" });
-      this.judge.onmessage = ({ data }) => this.#heard(data);
+      this.judge = judging((data) => this.#heard(data));
       this.judge.onerror = (event) => this.#end(plain(event.message || "The reference tracer could not be loaded"));
-      this.judge.postMessage({ base: new URL("./", import.meta.url).href, rays }, [rays.pixels.buffer]);
+      this.judge.postMessage({ base: HERE, rays }, [rays.pixels.buffer]);
       this.button.textContent = "Stop";
       this.progress.hidden = false;
       this.#say("The reference tracer is at work. What is known by now is below and over the picture.");
@@ -98,7 +125,7 @@ export class Proof {
       for (const part of [this.figures, this.toggle, this.legend]) part.hidden = false;
     }
     this.#figures(certificate);
-    if (!whole) this.#say(`The reference tracer is at work: ${left(certificate)}. What is known by now is below and over the picture.`);
+    if (!whole) this.#say(`The reference tracer is at work: ${duration(certificate.pixels - certificate.measured, certificate)} are left. What is known by now is below and over the picture.`);
     if (whole && positions(certificate) === 0)
       return this.#end("Every ray is traced again, and no place could be measured: what the picture shows here has none, as the black of a hole. "
         + "This certifies no precision.");
@@ -133,7 +160,7 @@ export class Proof {
       `pixels          ${count(pixels)}, every one`,
       `places          ${count(positions(certificate))}: rays that end on the sky, the disc or a body`,
       ...spread("sky", sky), ...spread("disc, bodies", place),
-      `device          ${device}`, `browser         ${browser}`, `scene           ${title}`, `size            ${width} x ${height}`,
+      `device          ${deviceName(device)}`, `browser         ${browser}`, `scene           ${title}`, `size            ${width} x ${height}`,
       `date            ${date.toISOString().slice(0, 16).replace("T", " ")} UTC, ${Math.round(seconds)} s`, `view            ${link}`,
     ].join("\n");
   }
@@ -156,10 +183,15 @@ export class Proof {
   }
 }
 
+// WebKit has one name for every device, and elsewhere than on Apple's systems its numbers are no version of anything.
+function deviceName(device) {
+  return device === "Apple GPU" ? "not told (WebKit says Apple GPU of every device)" : device;
+}
 function browser() {
   const brands = navigator.userAgentData?.brands.filter(({ brand }) => !/Not/.test(brand)) ?? [];
   const known = brands.find(({ brand }) => brand !== "Chromium") ?? brands[0];
   if (known) return `${known.brand} ${known.version}, ${navigator.userAgentData.platform}`;
-  const found = navigator.userAgent.match(/(Firefox|Edg|OPR|Chrome|Version)\/[\d.]+/g) ?? [navigator.userAgent];
-  return `${found.at(-1).replace("Version", "Safari").replace("/", " ")}, ${navigator.platform}`;
+  const found = (navigator.userAgent.match(/(Firefox|Edg|OPR|Chrome|Version)\/[\d.]+/g) ?? [navigator.userAgent]).at(-1);
+  const name = !found.startsWith("Version") ? found.replace("/", " ") : /^(Mac|iP)/.test(navigator.platform) ? found.replace("Version/", "Safari ") : "WebKit";
+  return `${name}, ${navigator.platform}`;
 }

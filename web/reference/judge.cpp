@@ -1,6 +1,7 @@
 // The judge: rays that the visitor's GPU traced, against the reference tracer.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -31,7 +32,7 @@ std::string spread_json(const Spread& spread) {
 }  // namespace
 
 // line: the scene, as scene_as_line() of core.wasm has it. pixels: RayPixel of every pixel, from the top, as trace_rays() of core.wasm gives
-// them. false: the answer says what the reference refuses.
+// them; none: nothing is compared, for who asks how long it takes. false: the answer says what the reference refuses.
 NULLSCOPE_EXPORT(judge)
 bool judge(const char* line, std::size_t line_size, int width, int height, const char* pixels, std::size_t bytes) {
     judgement.reset();
@@ -42,7 +43,8 @@ bool judge(const char* line, std::size_t line_size, int width, int height, const
     auto tracer = reference::FrameTracer::make(*scene);
     if (!tracer) return answer(tracer.error());
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (bytes != count * sizeof(RayPixel)) return answer(bad_input("the rays are not those of the picture"));
+    if (bytes != 0 && bytes != count * sizeof(RayPixel))
+        return answer(bad_input("the rays are not those of the picture"));
     RayFrame tested{width, height, std::vector<RayPixel>(count)};
     std::memcpy(tested.pixels.data(), pixels, bytes);
     judgement.emplace(Judgement{scene->camera, std::move(*tracer), std::move(tested), error_tasks(width, height), 0,
@@ -55,9 +57,21 @@ NULLSCOPE_EXPORT(judge_next) bool judge_next() {
     Judgement& j = *judgement;
     if (j.next == j.tasks.size()) return false;
     const ErrorTask task = j.tasks[j.next++];
-    const ExactTrace exact = [&j](const auto& positions) { return j.tracer.pixels(positions, false); };
+    const ExactTrace exact = [&](const auto& positions) { return j.tracer.pixels(positions, false); };
     for (const TileErrors& tile : measure_task(j.tested, j.camera, exact, task)) j.errors.take(tile, task.step);
     return j.next < j.tasks.size();
+}
+
+// Measures a tile of all its pixels, of those that take most of the time, one here and one there: how many pixels.
+NULLSCOPE_EXPORT(judge_trial) int judge_trial(int number) {
+    const Judgement& j = *judgement;
+    const auto first = std::ranges::find(j.tasks, 0, &ErrorTask::step);
+    const auto tiles = static_cast<std::size_t>(j.tasks.end() - first);
+    constexpr std::size_t kStride = 7919;  // a prime, more than there are tiles
+    const ErrorTask& task = first[static_cast<std::ptrdiff_t>((static_cast<std::size_t>(number) * kStride) % tiles)];
+    const ExactTrace exact = [&](const auto& positions) { return j.tracer.pixels(positions, false); };
+    measure_task(j.tested, j.camera, exact, task);
+    return (task.rect.right - task.rect.left) * (task.rect.bottom - task.rect.top);
 }
 
 // What is known by now.
