@@ -107,8 +107,9 @@ private:
     } hottest_;
 };
 
-// Of the numbers of rays of a list, which show no sky.
+// Of the numbers of rays of a list, which show no sky; of the picture that a pass works on.
 inline constexpr int kListUnit = FrameInputs::unit_of("sky_texture");
+inline constexpr int kPictureUnit = FrameInputs::unit_of("clearance_texture");
 
 // The image of the disc: the scene's, or the one that ships.
 Result<FittedImage> load_disc_image(const DiscSpec& disc);

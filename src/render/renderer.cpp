@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <utility>
 
 #include "gl/abilities.h"
-#include "plan/medium.h"
 #include "plan/medium_model.h"
 #include "scene/bodies.h"
 #include "scene/projection.h"
@@ -18,15 +18,10 @@
 namespace nullscope {
 namespace {
 
-constexpr int kRaysAtOnce = 16;  // that every pixel traces in one draw
-// Where each goes through matter in spans of some six rounds: llvmpipe ends a shader after 65535 rounds of all its loops, in silence.
-constexpr int kRaysAtOnceInMatter = 4;
-constexpr double kSpansOfMany = 1024;  // of a ray; of longer ones one at once
 constexpr int kTileUnit = FrameInputs::kFreeUnit;
 // Passes that work on the picture sample none of the scene's tables: they share their units.
 constexpr int kSourceUnit = FrameInputs::unit_of("strip_texture"), kHaloUnit = FrameInputs::unit_of("orbit_texture"),
-              kMeterUnit = FrameInputs::unit_of("sky_texture"),
-              kPictureUnit = FrameInputs::unit_of("clearance_texture");
+              kMeterUnit = FrameInputs::unit_of("sky_texture");
 constexpr std::pair<const char*, int> kPassSamplers[] = {{"source_texture", kSourceUnit},
                                                          {"bloom_texture", kHaloUnit},
                                                          {"meter_texture", kMeterUnit},
@@ -83,8 +78,8 @@ const gl::Program& Renderer::program(Stage stage, Output output) {
     const auto found = programs_.find(key);
     if (found != programs_.end()) return found->second;
     const ShaderSource source = source_of(stage, output);
-    gl::Program made = coming_ && coming_->first == key ? std::move(std::exchange(coming_, {})->second)
-                                                        : gl::begin_program(source.vertex, source.fragment);
+    auto begun = coming_.extract(key);
+    gl::Program made = begun ? std::move(begun.mapped()) : gl::begin_program(source.vertex, source.fragment);
     gl::finish_program(made, source.vertex, source.fragment);
     name_inputs(made);
     return programs_.emplace(key, std::move(made)).first->second;
@@ -129,11 +124,12 @@ bool Renderer::compute_picture(const Pass& pass, unsigned picture, int first, in
 
 bool Renderer::is_compiled(Stage stage, Output output) {
     const ProgramKey key = program_key(stage, output);
-    if (!coming_ || coming_->first != key) {
+    auto begun = coming_.find(key);
+    if (begun == coming_.end()) {
         const ShaderSource source = source_of(stage, output);
-        coming_.emplace(key, gl::begin_program(source.vertex, source.fragment));
+        begun = coming_.emplace(key, gl::begin_program(source.vertex, source.fragment)).first;
     }
-    return gl::is_compiled(coming_->second);
+    return gl::is_compiled(begun->second);
 }
 
 int Renderer::picture_programs() const {
@@ -148,10 +144,6 @@ void Renderer::bind_inputs() {
     inputs_.bind();
     picture_tiles_.bind(kTileUnit);
     lattice_.bind(kTileUnit);
-}
-
-void Renderer::draw(unsigned framebuffer, int width, int height, Output output) {
-    draw_rows(framebuffer, width, height, output, 0, height);
 }
 
 // What passes of light work on, if there are any: made for the picture's size.
@@ -189,68 +181,6 @@ bool Renderer::own_steps() const {
     return medium && model_of(*medium).traits.own_steps;
 }
 
-// What a picture's rows ask for before they are drawn: tiles with its first ones.
-void Renderer::find_before(const Pass& pass, int first, int last) {
-    if (pass.stage == Stage::kLattice) {
-        if (first == 0) lattice_.begin();
-        lattice_.extend({program(Stage::kLattice, pass.output), program(Stage::kLatticeTold, pass.output),
-                         program(Stage::kLatticeCells, pass.output), empty_},
-                        last);
-    } else if (first == 0 && !draws_lattice(pass.stage)) {
-        picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
-    }
-}
-
-// The passes that follow the picture's need all of it: they run with its last rows.
-void Renderer::draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last) {
-    const std::vector<Pass> list = picture_passes(output);
-    keep_light(list, width, height, output);
-    picture_tiles_.resize(list, width, height, tables_.effects());
-    lattice_.resize(list, width, height, own_steps());
-    bind_inputs();
-    const bool keep = linear_.width > 0;
-    const unsigned picture = keep ? linear_.framebuffer.id() : framebuffer;
-    const bool refine = refines(list);
-    if (refine && first == 0) {
-        if (layer_ == PictureLayer::kAll) edges_.begin();
-        blocks_.upload_pixel(refining_);
-    }
-    for (const Pass& pass : list) {
-        if (goes_before(pass.stage)) {
-            find_before(pass, first, last);
-        } else if (draws_picture(pass.stage) && tables_.plan().scene.picture.samples > 1) {
-            draw_samples(tables_.plan().scene.picture.samples, kRaysAtOnce, [&](const gl::Layer& layer) {
-                draw_picture(pass, picture, width, height, first, last, layer);
-            });
-        } else if (draws_picture(pass.stage)) {
-            draw_picture(pass, picture, width, height, first, last,
-                         {.marked = refine ? gl::Marked::kNot : gl::Marked::kAny});
-        } else if (pass.stage == Stage::kEdges) {
-            if (refining_) refine_rows(list, width, height, first, last);
-        } else if (pass.stage != Stage::kPatches && last == height &&
-                   (layer_ == PictureLayer::kAll || layer_ == PictureLayer::kSky)) {
-            draw_pass(pass, framebuffer, width, height);
-        }
-    }
-    if (keep && !keeps_light(list) && last == height)
-        gl::blit(linear_.colours.front().id(), width, height, framebuffer, width, height);
-}
-
-// samples x samples rays of each pixel: at_once of them in a draw, so that a weak card does not take long for it.
-template <class Draw>
-void Renderer::draw_samples(int samples, int at_once, Draw draw) {
-    const int rays = samples * samples;
-    const FramePlan& plan = tables_.plan();
-    if (const auto& medium = plan.scene.medium)
-        at_once = std::min(at_once, medium_spans(*plan.matter, *medium) < kSpansOfMany ? kRaysAtOnceInMatter : 1);
-    for (int first = 0; first < rays; first += at_once) {
-        const int count = std::min(at_once, rays - first);
-        blocks_.upload_samples(samples, first, count);
-        draw(gl::Layer{static_cast<double>(count) / rays, first == 0});
-    }
-    blocks_.upload_pixel(refining_);
-}
-
 const gl::Program& Renderer::picture_program(const Pass& pass) {
     const gl::Program& built = program(pass.stage, pass.output);
     lattice_.tell(built);
@@ -266,31 +196,6 @@ void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int h
         gl::draw_tiles(built, empty_, picture, width, height, kTileSide, first, last, layer);
     else
         gl::draw_rows(built, empty_, picture, width, height, first, last, layer);
-}
-
-void Renderer::refine_rows(const std::vector<Pass>& list, int width, int height, int first, int last) {
-    gl::bind_texture_2d(kPictureUnit, linear_.colours.front());
-    if (layer_ == PictureLayer::kAll) edges_.compare(program(Stage::kEdges, Output::kLinear), empty_, first, last);
-    for (std::size_t i = 0; i < kRefined.size(); ++i) {
-        if (edges_.patches()[i].empty()) continue;
-        blocks_.upload_samples(kRefined[i], 0, 1);
-        patches_.draw(
-            kRefined[i], edges_.patches()[i],
-            [&](const gl::VertexList& pixels, const gl::Target& rays) {
-                bind_inputs();
-                for (const Pass& pass : list)
-                    if (draws_picture(pass.stage))
-                        gl::draw_listed_points(picture_program(pass), pixels, rays.framebuffer.id(), rays.width,
-                                               rays.height);
-            },
-            [&](const gl::VertexList& pixels, const gl::Target& rays) {
-                gl::bind_texture_2d(kPictureUnit, rays.colours.front());
-                gl::draw_listed_points(program(Stage::kPatches, Output::kLinear), pixels, linear_.framebuffer.id(),
-                                       width, height, {.marked = gl::Marked::kOnly});
-            });
-    }
-    blocks_.upload_pixel(refining_);
-    bind_inputs();
 }
 
 // The method that follows from the scene alone may interpolate; others show what they are. The Kerr-Schild march has no tiles.

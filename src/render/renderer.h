@@ -2,7 +2,6 @@
 // (gl::load_functions); knows of no window system.
 #pragma once
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -102,6 +101,21 @@ public:
     // The same in pieces, each finished before the next: rows counted from the bottom.
     void draw_rows(unsigned framebuffer, int width, int height, Output output, int first, int last);
 
+    // The same pass by pass, for who has other work between them: many drivers compile a program when it first draws, and a page stands still
+    // meanwhile. Until the last one nothing else may be asked of the renderer, nor of the context but what leaves its bindings as they are.
+    struct Drawing {
+        std::vector<Pass> passes;
+        unsigned framebuffer;
+        int width, height, first, last;  // px; rows, counted from the bottom
+        std::size_t next = 0;            // of the passes
+        std::size_t refined = 0;         // parts of the one that refines: edges, then pixels of each number of rays
+    };
+    Drawing begin_rows(unsigned framebuffer, int width, int height, Output output, int first, int last);
+    bool draw_next(Drawing& drawing);  // whether there is more
+    // Whether the driver has compiled the programs of the next picture, for drivers that do it beside other work; each call begins one that is
+    // missing. Who does not ask waits for each when it draws.
+    bool is_compiled(Output output);
+
     // A baseline: one fetch of the sky a pixel. Needs a prepared scene with a sky.
     void draw_bare_fetch(unsigned framebuffer, int width, int height);
 
@@ -159,6 +173,7 @@ private:
     void bind_inputs();
     void draw_pass(const Pass& pass, unsigned framebuffer, int width, int height);
     void find_before(const Pass& pass, int first, int last);
+    void draw_rows_of(const Pass& pass, const Drawing& drawing, unsigned picture);
     void keep_light(const std::vector<Pass>& list, int width, int height, Output output);
     bool own_steps() const;
     bool scatters_or_meters() const;
@@ -167,7 +182,7 @@ private:
                       const gl::Layer& layer);
     template <class Draw>
     void draw_samples(int samples, int at_once, Draw draw);
-    void refine_rows(const std::vector<Pass>& list, int width, int height, int first, int last);
+    void refine_rows(const Drawing& drawing);
     RayFrame draw_rays(const gl::Target& target, int row_step);
     std::vector<int> shader_numbers() const;
 
@@ -179,7 +194,7 @@ private:
     UniformBlocks blocks_;
     std::map<ProgramKey, gl::Program> programs_;
     ComputePicture computed_;
-    std::optional<std::pair<ProgramKey, gl::Program>> coming_;  // begun by build_next()
+    std::map<ProgramKey, gl::Program> coming_;  // begun by is_compiled()
     Method method_;
     FrameTables tables_;
     StarField stars_;

@@ -85,6 +85,26 @@ class Driven:
                 raise PageError(f"not within {timeout_s} s: {condition}")
             time.sleep(0.05)
 
+    def drag(self, path):
+        """With the left button; path: [(x, y), ...], px of the window."""
+        moves = [{"type": "pointerMove", "x": round(x), "y": round(y), "duration": 30, "origin": "viewport"} for x, y in path]
+        self.act({"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"},
+                  "actions": [moves[0], {"type": "pointerDown", "button": 0}, *moves[1:], {"type": "pointerUp", "button": 0}]})
+
+    def click(self, x, y):
+        self.drag([(x, y)])
+
+    def turn_wheel(self, x, y, down):
+        self.act({"type": "wheel", "id": "wheel",
+                  "actions": [{"type": "scroll", "x": round(x), "y": round(y), "deltaX": 0, "deltaY": down, "origin": "viewport"}]})
+
+    def hold(self, key):
+        """Until let_go(); key: what it types."""
+        self.act({"type": "key", "id": "keys", "actions": [{"type": "keyDown", "value": key}]})
+
+    def let_go(self, key):
+        self.act({"type": "key", "id": "keys", "actions": [{"type": "keyUp", "value": key}]})
+
     def close(self):
         with contextlib.suppress(ProcessLookupError):
             os.killpg(self.process.pid, signal.SIGKILL)
@@ -130,6 +150,9 @@ class WebKit(Driven):
 
     def open(self, url):
         self.ask("POST", "/url", {"url": url})
+
+    def act(self, *sources):
+        self.ask("POST", "/actions", {"actions": sources})
 
     def run_awaited(self, script, timeout_s):
         return self.ask("POST", "/execute/async", {"script": script, "args": []}, timeout_s)
@@ -191,6 +214,9 @@ class Firefox(Driven):
 
     def open(self, url):
         self.ask("WebDriver:Navigate", {"url": url})
+
+    def act(self, *sources):
+        self.ask("WebDriver:PerformActions", {"actions": sources})
 
     def run_awaited(self, script, timeout_s):
         return self.ask("WebDriver:ExecuteAsyncScript", {"script": script, "args": [], "newSandbox": False, "sandbox": None}, timeout_s)["value"]

@@ -10,6 +10,7 @@ import pathlib
 import subprocess
 import sys
 import unittest
+from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = sorted(file.stem for file in (ROOT / "assets/scenes").glob("*.toml"))
@@ -92,22 +93,49 @@ class Engine:
         return self.browser.run("engine.sceneLine()")
 
 
+def native(programs, scene, size, folder):
+    """The picture that `nullscope capture` gives."""
+    file = f"{folder}/{scene}.png"
+    subprocess.run([programs / "nullscope", "capture", scene, "--plain", "--size", "%dx%d" % size, "-o", file], check=True,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return read_png(file)
+
+
+def differences(picture, wanted):
+    """Of a picture of an Engine from a native one: a number a pixel, the largest of its three colours', of 255."""
+    width, height, pixels = picture
+    assert (width, height) == (wanted.width, wanted.height)
+    return [max(abs(pixels[4 * i + c] - wanted.data[3 * i + c]) for c in range(3)) for i in range(width * height)]
+
+
+class Difference(NamedTuple):
+    """Of a picture from a native one: a pixel's is the largest of its three colours', of 255."""
+    mean: float
+    p999: int     # 99.9 % of the pixels differ by no more
+    largest: int
+
+    @classmethod
+    def of(cls, pixels):
+        off = sorted(pixels)
+        return cls(sum(off) / len(off), off[len(off) - 1 - len(off) // 1000], off[-1])
+
+
+def difference_in(browser, url, scene, wanted):
+    """Of the scene's picture in a browser from a native one, which has its size; PageError where it draws none."""
+    engine = Engine(browser, url, wanted.width, wanted.height)
+    engine.open(scene)
+    return Difference.of(differences(engine.picture(), wanted))
+
+
 class WebTest(unittest.TestCase):
     page = programs = None   # paths
 
     @classmethod
     def native(cls, scene, size, folder):
-        """The picture that `nullscope capture` gives."""
-        file = f"{folder}/{scene}.png"
-        subprocess.run([cls.programs / "nullscope", "capture", scene, "--plain", "--size", "%dx%d" % size, "-o", file], check=True,
-                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        return read_png(file)
+        return native(cls.programs, scene, size, folder)
 
     def differences(self, picture, wanted):
-        """Of a picture of an Engine from a native one: a number a pixel, the largest of its three colours', of 255."""
-        width, height, pixels = picture
-        self.assertEqual((width, height), (wanted.width, wanted.height))
-        return [max(abs(pixels[4 * i + c] - wanted.data[3 * i + c]) for c in range(3)) for i in range(width * height)]
+        return differences(picture, wanted)
 
 
 def begin():

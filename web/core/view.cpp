@@ -29,6 +29,15 @@ std::array<gl::Target, 2> drawn;            // of its halves
 gl::Target under_lines;                     // of a picture with streamlines
 RayFrame rays;
 
+// The picture that is drawn: pass by pass, so that the page has turns between them.
+struct Painting {
+    Scene scene;
+    bool lines;            // streamlines over it
+    std::size_t half = 0;  // of a split screen
+    std::optional<Renderer::Drawing> drawing{};
+};
+std::optional<Painting> painting;
+
 bool float_targets = true;
 
 std::unique_ptr<Renderer> make_renderer() {
@@ -53,6 +62,7 @@ Status prepare_by(Renderer& by, const Scene& scene) {
 }
 
 Status prepare(const Scene& scene) {
+    painting.reset();
     split = halves(scene);
     if (!split) right.reset();
     if (Status ready = prepare_by(*renderer, split ? split->left : scene); !ready || !split) return ready;
@@ -65,9 +75,33 @@ gl::Target& sized(gl::Target& target, int width, int height) {
     return target;
 }
 
-void draw_half(Renderer& by, gl::Target& target, const CameraSpec& camera, int x) {
-    by.draw(sized(target, camera.width, camera.height).framebuffer.id(), camera.width, camera.height, Output::kDisplay);
-    gl::blit(target.colours.front().id(), camera.width, camera.height, 0, camera.width, camera.height, x);
+Renderer& painter() { return painting->half == 0 ? *renderer : *right; }
+
+Renderer::Drawing begin_drawing() {
+    const auto into = [](gl::Target* target, const CameraSpec& camera) {
+        const unsigned framebuffer =
+            target == nullptr ? 0 : sized(*target, camera.width, camera.height).framebuffer.id();
+        return painter().begin_rows(framebuffer, camera.width, camera.height, Output::kDisplay, 0, camera.height);
+    };
+    if (split) return into(&drawn.at(painting->half), (painting->half == 0 ? split->left : split->right).camera);
+    return into(painting->lines ? &under_lines : nullptr, painting->scene.camera);
+}
+
+// What follows the last pass of a drawing; whether another begins.
+bool end_drawing() {
+    painting->drawing.reset();
+    const CameraSpec& camera = painting->scene.camera;
+    if (split) {
+        const gl::Target& from = drawn.at(painting->half);
+        gl::blit(from.colours.front().id(), from.width, from.height, 0, from.width, from.height,
+                 painting->half == 0 ? 0 : split->left.camera.width);
+        return ++painting->half < drawn.size();
+    }
+    if (painting->lines) {
+        viewer::lay_streamlines(*renderer, painting->scene, under_lines);
+        gl::blit(under_lines.colours.front().id(), camera.width, camera.height, 0, camera.width, camera.height);
+    }
+    return false;
 }
 
 }  // namespace
@@ -84,33 +118,38 @@ NULLSCOPE_EXPORT(start_view) void start_view(bool floats, bool filtered) {
     gl::prepare_context();
     gl::filters_floats = filtered;
     float_targets = floats;
+    painting.reset();
     renderer = make_renderer();
     right.reset();
     drawn = {};
     under_lines = {};
 }
 
-// Draws to the canvas. adaptation: of automatic exposure (Renderer::set_adaptation). quick: edges get no more rays than the rest, in programs
-// that compile in a sixth of the time, and there are no streamlines. false: the answer says why not; files that are missing are named by missed_files().
-NULLSCOPE_EXPORT(draw) bool draw(int width, int height, double adaptation, bool quick) {
+// Begins a picture on the canvas, which draw_next() draws. adaptation: of automatic exposure (Renderer::set_adaptation). quick: edges get no
+// more rays than the rest, in programs that compile in a sixth of the time, and there are no streamlines. false: the answer says why not; files
+// that are missing are named by missed_files().
+NULLSCOPE_EXPORT(begin_picture) bool begin_picture(int width, int height, double adaptation, bool quick) {
     Scene scene = shown(width, height);
     if (quick) scene.picture.refine = false;
     if (const Status ready = prepare(scene); !ready) return answer(ready.error());
     renderer->set_adaptation(adaptation);
-    if (split) {
-        right->set_adaptation(adaptation);
-        draw_half(*renderer, drawn[0], split->left.camera, 0);
-        draw_half(*right, drawn[1], split->right.camera, split->left.camera.width);
-    } else if (!quick && float_targets && viewer::shows_streamlines(scene)) {
-        const gl::Target& picture = sized(under_lines, width, height);
-        renderer->draw(picture.framebuffer.id(), width, height, Output::kDisplay);
-        viewer::lay_streamlines(*renderer, scene, picture);
-        gl::blit(picture.colours.front().id(), width, height, 0, width, height);
-    } else {
-        renderer->draw(0, width, height, Output::kDisplay);
-    }
-    gl::check("picture");
+    if (split) right->set_adaptation(adaptation);
+    const bool lines = !split && !quick && float_targets && viewer::shows_streamlines(scene);
+    painting.emplace(Painting{std::move(scene), lines});
     return answer(std::string());
+}
+// Whether the driver has compiled what it needs; where it does that beside other work, it is worth the wait.
+NULLSCOPE_EXPORT(is_compiled) bool is_compiled() {
+    return renderer->is_compiled(Output::kDisplay) && (!split || right->is_compiled(Output::kDisplay));
+}
+// Draws one pass of it: 1, there is more; 0, it was the last; 2, something else was asked for meanwhile, and it has to be begun anew.
+NULLSCOPE_EXPORT(draw_next) int draw_next() {
+    if (!painting) return 2;
+    if (!painting->drawing) painting->drawing = begin_drawing();
+    if (painter().draw_next(*painting->drawing) || end_drawing()) return 1;
+    painting.reset();
+    gl::check("picture");
+    return 0;
 }
 // Ticks over the scene's picture in this size (annotate/ticks.h), px: {"thick", "lines": [x, y, right, up, ...]} as the answer, or null
 // where there are none: none are asked for, in split screens, and where light cannot be read back. Draws their light.
@@ -119,6 +158,7 @@ NULLSCOPE_EXPORT(ticks) bool ticks(int width, int height) {
     scene.path.reset();
     if (!scene.picture.ticks || !is_polarised(scene) || scene.split || !float_targets) return answer("null");
     set_size(scene, width, height);
+    painting.reset();
     if (const Status ready = prepare_by(*renderer, tick_scene(scene, width, height)); !ready)
         return answer(ready.error());
     std::vector<double> lines;
@@ -129,6 +169,7 @@ NULLSCOPE_EXPORT(ticks) bool ticks(int width, int height) {
 }
 // Compiles one program of those that make the next picture faster; whether one was left.
 NULLSCOPE_EXPORT(build_next) bool build_next() {
+    painting.reset();
     return renderer->build_next() || (right != nullptr && right->build_next());
 }
 

@@ -7,6 +7,7 @@ import { deviceString, glFunctions } from "./webgl.js";
 const LEAST_SCALE = 0.25;      // of the canvas's pixels in each direction, in motion
 const FIRST_PIXELS = 640 * 360; // of the first picture at most: a slow GPU shows it soon, too
 const SLOW_MS = 28, FAST_MS = 11; // a frame in motion: longer makes pixels larger, shorter smaller
+const BREATH_MS = 30;          // work at a stretch; then messages, hands and the page have their turn
 const REST_MS = 250;           // without a hand: then the picture is drawn with all its pixels
 const ADAPTATION_S = 0.3;      // of automatic exposure
 const SHIPPED = "/assets/";    // paths of files that ship, as core.wasm names them
@@ -26,6 +27,7 @@ export class Engine {
     this.touched = -Infinity;
     this.fetching = new Map();
     this.absent = new Set();
+    this.lives = 0;      // of contexts: how many were lost
     this.waiting = [];   // for the picture that is drawn next: { done, fail }
   }
 
@@ -99,10 +101,15 @@ export class Engine {
     return this.fetching.get(path);
   }
   async #fetchOnce(path) {
-    const response = await fetch(new URL(path.slice(1), this.base));
-    if (response.ok) this.core.call("put_file", path, await this.#fileBytes(path, await response.blob()));
-    else this.absent.add(path);
-    this.fetching.delete(path);
+    try {
+      const response = await fetch(new URL(path.slice(1), this.base));
+      if (response.ok) this.core.call("put_file", path, await this.#fileBytes(path, await response.blob()));
+      else this.absent.add(path);
+    } catch (error) {
+      throw error instanceof Failure ? error : new Failure(`${path.slice(SHIPPED.length)}: ${error.message}`);
+    } finally {
+      this.fetching.delete(path);  // who asks again may have better luck
+    }
   }
   // Pictures are decoded by the browser; core.wasm reads what web/platform/images.cpp says. By a texture of this context, whose bindings stay: a
   // 2D canvas would multiply colours by their alpha and back, and WebKit has no WebGL2 for a canvas that is not on the page.
@@ -226,14 +233,16 @@ export class Engine {
     this.turning = true;
     this.turned = performance.now();
     const next = globalThis.requestAnimationFrame ?? ((turn) => setTimeout(() => turn(performance.now()), 16));
+    const { lives } = this;
     const turn = async () => {
+      this.breathed = performance.now();
       try {
         await this.#turn();
       } catch (error) {
         this.#fail(error);
         return;
       }
-      if (this.turning) next(turn);
+      if (this.turning && lives === this.lives) next(turn);
     };
     next(turn);
   }
@@ -279,19 +288,19 @@ export class Engine {
   // Whether what is shown has all its pixels and all its rays.
   #isWhole() {
     const { width, height } = this.size;
-    return Boolean(this.drawn) && !this.drawn.quick && this.drawn.width === width && this.drawn.height === height;
+    return !this.painting && Boolean(this.drawn) && !this.drawn.quick && this.drawn.width === width && this.drawn.height === height;
   }
   // quick: see draw() of core.wasm. adaptation: of automatic exposure; a picture that is not quick has its own.
   async #draw(scale, quick, adaptation) {
     const width = Math.max(1, Math.round(this.size.width * scale)), height = Math.max(1, Math.round(this.size.height * scale));
-    const began = performance.now();
+    const began = performance.now(), { lives } = this;
     this.due = false;
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
     try {
-      await this.#withFiles(() => this.core.call("draw", width, height, adaptation, Number(quick)));
+      await this.#paint(width, height, adaptation, quick);
     } catch (error) {
-      if (this.gl.isContextLost()) return;
+      if (this.gl.isContextLost() || lives !== this.lives) return;
       throw error;
     }
     this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));  // waits until it is drawn
@@ -307,6 +316,30 @@ export class Engine {
     if (this.measures) await this.#measure(quick);
     if (!first || !quick) this.#ticks();  // the first picture does not wait for their program
     for (const { done } of this.waiting.splice(0)) done();
+  }
+  // Pass by pass: a driver that compiles takes its time within one, and nothing else runs meanwhile.
+  async #paint(width, height, adaptation, quick) {
+    const { exports } = this.core, { lives } = this, none = 0, gone = 2;
+    this.painting = true;
+    try {
+      for (let left = gone; left !== none;) {
+        if (left === gone) {
+          await this.#withFiles(() => this.core.call("begin_picture", width, height, adaptation, Number(quick)));
+          while (!exports.is_compiled()) await this.#breath();
+        }
+        if (performance.now() - this.breathed > BREATH_MS) await this.#breath();
+        left = exports.draw_next();
+      }
+    } finally {
+      if (lives === this.lives) this.painting = false;
+    }
+  }
+  // Throws where the context was lost meanwhile.
+  async #breath() {
+    const { lives } = this;
+    await new Promise((done) => setTimeout(done));
+    this.breathed = performance.now();
+    if (lives !== this.lives || this.gl.isContextLost()) throw new Failure(LOST);
   }
   // Of the canvas's size, in motion too.
   #ticks() {
@@ -353,8 +386,8 @@ export class Engine {
   restoreContext() { this.loser.restoreContext(); }
   #lost(event) {
     event.preventDefault();
-    this.started = false;
-    this.turning = false;
+    ++this.lives;
+    this.started = this.turning = this.painting = false;
     this.#refuse(new Failure(LOST));
     this.say("lost", {});
   }

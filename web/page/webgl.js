@@ -6,7 +6,7 @@ const INFO_LOG_LENGTH = 0x8b84, COMPLETION_STATUS = 0x91b1, PROGRAM_POINT_SIZE =
 // gl: a WebGL2 context. module(): the module that calls, for its memory and for strings.
 export function glFunctions(gl, module) {
   const objects = new Map(), uniforms = [];
-  const parallel = gl.getExtension("KHR_parallel_shader_compile");
+  let parallel = gl.getExtension("KHR_parallel_shader_compile");
   let last = 0;
   const strings = new Map();
 
@@ -45,8 +45,11 @@ export function glFunctions(gl, module) {
   const size = (log) => new TextEncoder().encode(log ?? "").length + 1;
 
   return {
-    // After a lost context: what is deleted later was of the old one.
-    forget: () => objects.clear(),
+    // After a lost context: what is deleted later was of the old one, and so were its extensions.
+    forget: () => {
+      objects.clear();
+      parallel = gl.getExtension("KHR_parallel_shader_compile");
+    },
     glActiveTexture: (unit) => gl.activeTexture(unit),
     glAttachShader: (program, shader) => gl.attachShader(at(program), at(shader)),
     glBindBuffer: (target, id) => gl.bindBuffer(target, at(id)),
