@@ -14,8 +14,8 @@ test=(xvfb xauth xdotool python3-allpairspy)
 package=(dpkg-dev file lintian patchelf)
 # scripts/docs.sh: the documentation as a site
 docs=(mkdocs)
-# scripts/test.sh --all: the Python package, films, man pages, and sequences on many machines
-all_tests=(python3-venv python3-dev ffmpeg man-db munge parallel slurm-client slurmctld slurmd)
+# scripts/test.sh --all: the Python package, films, man pages, sequences on many machines, and the viewer under Wayland
+all_tests=(python3-venv python3-dev ffmpeg man-db munge parallel slurm-client slurmctld slurmd weston)
 # scripts/web.sh: the browser's build; and the browsers that test it
 web=(clang-19 lld-19 libc++-19-dev-wasm32 libclang-rt-19-dev-wasm32 wasi-libc libgles-dev chromium-headless-shell firefox-esr
      webkit2gtk-driver libdeflate-tools)
@@ -30,8 +30,8 @@ usage() {
 Usage: install-packages.sh [--quiet] [--all] [--checks] [--docs] [--package] [--web]
 Installs the packages that nullscope needs by apt, if any are missing. Needs root or sudo for that.
   --quiet    say nothing unless something is missing or goes wrong
-  --all      also what scripts/test.sh --all needs: Python's headers, ffmpeg, man, GNU parallel
-             and Slurm, the sets of --docs and --package, and gyoto where it is offered
+  --all      also what scripts/test.sh --all needs: Python's headers, ffmpeg, man, GNU parallel,
+             Slurm and weston, the sets of --docs and --package, and gyoto where it is offered
   --web      also what scripts/web.sh and its tests need: clang for WebAssembly, Chromium without a window,
              Firefox and WebKitGTK
   --docs     also what scripts/docs.sh needs: mkdocs
