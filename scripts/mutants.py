@@ -342,6 +342,8 @@ MUTANTS = [Mutant(*row) for row in [
      "-(dot(normal_, place_of(s)) / dot(normal_, speed(s, rate)))", "Number(-(dot(normal_, place_of(s)) / dot(normal_, speed(s, rate))).value)", GRADIENT),
     ("gradient-chain", "a division without the derivative of what it is by", "src/gradient/dual.h",
      "(a.d[i] - x.value * b.d[i]) / b.value", "a.d[i] / b.value", GRADIENT),
-    ("fit-flux", "the scale that fits best is its inverse", "src/fit/comparison.cpp",
+    ("fit-flux", "the scale that fits best is its inverse", "src/fit/problem.cpp",
      "with_itself > 0 ? with_data / with_itself : 1", "with_itself > 0 ? with_itself / with_data : 1", ("cli", "test_fit.py")),
+    ("fit-seconds", "a second is the inverse of its length in r_s/c", "src/fit/curve_subject.cpp",
+     "unit = kLight_m_s / schwarzschild_radius_m(", "unit = 1 / kLight_m_s * schwarzschild_radius_m(", ("cli", "test_fit.py")),
 ]]

@@ -9,16 +9,14 @@
 #include <vector>
 
 #include "base/atomic_file.h"
-#include "base/text.h"
 #include "cli/command.h"
-#include "cli/line_subject.h"
 #include "command/json.h"
 #include "command/options.h"
+#include "fit/data_sources.h"
 #include "fit/nuisance.h"
 #include "fit/report.h"
 #include "fit/solver.h"
 #include "fit/subject.h"
-#include "fit/visibility_subject.h"
 #include "scenefile/scene_writer.h"
 
 namespace nullscope::cli {
@@ -33,21 +31,6 @@ struct FitCommandOptions {
     bool json = false;
 };
 
-// The scene with what is free in it.
-struct FreeScene {
-    fit::SceneFamily family;
-    bool flux;
-};
-
-Result<FreeScene> free_scene(const FitCommandOptions& options) {
-    TRY(free, fit::parse_free(options.free));
-    TRY(family, fit::SceneFamily::open(options.scene, options.set, std::move(*free)));
-    TRY(scene, asked_scene(options));
-    TRY(nuisance, fit::parse_nuisance(options.nuisance, *scene));
-    TRY(whole, family->with(nuisance->parameters));
-    return FreeScene{std::move(*whole), nuisance->flux};
-}
-
 Status write_best(const std::string& file, const fit::SceneFamily& family, const std::vector<double>& values) {
     if (file.empty()) return Done{};
     TRY(scene, family.at(values));
@@ -55,21 +38,13 @@ Status write_best(const std::string& file, const fit::SceneFamily& family, const
     return write_text_atomically(file, scene_file_text(*scene, folder));
 }
 
-// What the data are is seen by their name: tables end in .csv.
-Result<fit::Subject> subject_of(const FitCommandOptions& options, const FreeScene& free) {
-    const bool is_table = lower_case(options.data).ends_with(".csv");
-    if (is_table && !options.mask.empty()) return bad_input("--mask: a table has no pixels", "with a picture");
-    if (is_table && is_line_table(options.data)) return line_subject(free.family, options.data, options.sigma);
-    TRY(painter, fit::ScenePainter::open(free.family, options.context));
-    if (!is_table) return fit::picture_subject(*painter, {options.data, options.sigma, options.mask}, options.samples);
-    return fit::visibility_subject(*painter, {options.data, options.sigma, free.flux}, options.samples);
-}
-
 Result<int> run_fit_command(const FitCommandOptions& options) {
     if (!fit::can_solve())
         return failed("this program was built without Ceres Solver (NULLSCOPE_FIT), which fits need");
-    TRY(free, free_scene(options));
-    TRY(subject, subject_of(options, *free));
+    TRY(fixed, fit::SceneFamily::open(options.scene, options.set, {}));
+    TRY(free, fit::free_scene(*fixed, options.free, options.nuisance));
+    fit::DataSources sources{options.data, {}, {}, options.sigma, options.mask, free->flux, options.samples};
+    TRY(subject, fit::open_subject(free->family, fit::own_session(options.context), sources));
     fit::FitOptions fitting;
     fitting.free_flux = free->flux;
     fitting.loss = static_cast<fit::Loss>(std::ranges::find(fit::kLossNames, options.loss) - fit::kLossNames);
@@ -77,7 +52,7 @@ Result<int> run_fit_command(const FitCommandOptions& options) {
     if (options.seed) fitting.search.seed = static_cast<std::uint64_t>(*options.seed);
     TRY(fitted, fit::fit_subject(*subject, free->family.free(), fitting));
     const fit::Reported reported{*fitted, free->family.free(), subject->data.what,
-                                 subject->fineness ? subject->fineness() : "", free->flux};
+                                 subject->samples ? std::optional(subject->samples()) : std::nullopt, free->flux};
     TRY(written, write_best(options.output, free->family, fitted->best.values));
     fmt::print("{}", options.json ? json_text(fit::fit_json(reported)) : fit::fit_table(reported));
     if (const std::string bad = fit::bad_words(fitted->goodness); !bad.empty()) return failed(bad);
@@ -87,13 +62,15 @@ Result<int> run_fit_command(const FitCommandOptions& options) {
 }  // namespace
 
 void add_fit(Command& parent) {
-    auto [command, options] = add_command<FitCommandOptions>(
-        parent, "fit",
-        "The numbers of a scene that describe a picture, visibilities or a line's profile best, with their errors",
-        run_fit_command);
-    required_option(
-        command, "data", options.data,
-        "Picture (EXR, FITS, PNG and others) of linear light, or a table (.csv) as visibility or spectrum write it");
+    auto [command, options] =
+        add_command<FitCommandOptions>(parent, "fit",
+                                       "The numbers of a scene that describe a picture, visibilities, a light curve or "
+                                       "a line's profile best, with their "
+                                       "errors",
+                                       run_fit_command);
+    required_option(command, "data", options.data,
+                    "Picture (EXR, FITS, PNG and others) of linear light, or a table (.csv) as visibility, lightcurve "
+                    "or spectrum write it");
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene (see: nullscope scenes), that is to describe it");
     required_option(command, "--free", options.free,

@@ -13,6 +13,7 @@
 #include "command/arguments.h"
 #include "command/band_pictures.h"
 #include "command/capture_picture.h"
+#include "command/curve_light.h"
 #include "command/curve_plot.h"
 #include "command/loop_plot.h"
 #include "command/session.h"
@@ -20,9 +21,7 @@
 #include "plan/dump_window.h"
 #include "plan/moving.h"
 #include "scene/bodies.h"
-#include "scene/medium_bands.h"
 #include "scene/medium_dumps.h"
-#include "scene/projection.h"
 #include "scene/spot_orbit.h"
 #include "telescope/flux.h"
 
@@ -49,20 +48,6 @@ struct CurvePoint {
 
 bool dimmer(const CurvePoint& a, const CurvePoint& b) { return a.flux[0] < b.flux[0]; }
 
-// Sum over the region of light times the solid angle of each pixel.
-std::array<double, 4> light_in(const Image<float>& picture, const CameraSpec& camera,
-                               const std::array<int, 4>& region) {
-    std::array<double, 4> sum{};
-    for (int y = region[1]; y < region[3]; ++y)
-        for (int x = region[0]; x < region[2]; ++x) {
-            const double angle = pixel_solid_angle(camera, x + 0.5, y + 0.5);
-            const float* p = picture.at(x, y);
-            for (int c = 0; c < 3; ++c) sum[static_cast<std::size_t>(c) + 1] += angle * p[c];
-        }
-    sum[0] = 0.2126 * sum[1] + 0.7152 * sum[2] + 0.0722 * sum[3];  // Rec. 709
-    return sum;
-}
-
 // To the last dump, one turn of the spots, one pulse or turn of the sphere, or 100 r_s/c.
 double period_of(const Scene& scene, double from) {
     if (has_dumps(scene)) return medium_times(scene).to - from;
@@ -70,21 +55,6 @@ double period_of(const Scene& scene, double from) {
     const SphereSpec* sphere = first_shape<SphereSpec>(scene);
     if (sphere != nullptr && sphere->amplitude > 0) return sphere->period;
     return sphere != nullptr && sphere->spin_rate != 0 ? 2 * M_PI / std::fabs(sphere->spin_rate) : 100.0;
-}
-
-// Of matter's light alone: "jansky", or of several frequencies one each.
-struct FluxColumn {
-    std::string name;
-    FluxUnit unit;
-};
-std::vector<FluxColumn> flux_columns(const Scene& scene) {
-    const bool several = scene.split || scene.camera.stereo != Stereo::kOff;
-    std::vector<FluxColumn> columns;
-    for (const auto& unit : band_units(scene, several))
-        if (unit) columns.push_back({fmt::format("jansky_{}GHz", unit->frequency_GHz), *unit});
-    if (has_bands(scene)) return columns;
-    if (const auto unit = flux_unit(scene, several)) columns.push_back({"jansky", *unit});
-    return columns;
 }
 
 // What the columns mean, for people.
@@ -177,9 +147,7 @@ Result<Curve> curve_of(const LightcurveOptions& options, Scene scene, double fro
         scene.time = from + i * (to - from) / (options.steps - 1);
         TRY(drawn, captured());
         CurvePoint point{scene.time, light_in(drawn->linear, scene.camera, region)};
-        for (std::size_t k = 0; k < columns.size(); ++k)
-            point.jansky.push_back(
-                flux_of(drawn->bands.empty() ? drawn->linear : drawn->bands[k].light, columns[k].unit, region));
+        point.jansky = fluxes_in(*drawn, columns, region);
         if (!drawn->stokes.empty()) point.stokes = stokes_sum(drawn->stokes, scene.camera, region, scene.time);
         curve.samples.push_back(std::move(point));
     }

@@ -10,15 +10,22 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "cli/line_source.h"
 #include "cli/spectrum_plot.h"
 #include "cli/table_file.h"
+#include "command/line_source.h"
 #include "command/options.h"
 #include "scene/disc_emissivity.h"
 #include "spectrum/line_profile.h"
 
 namespace nullscope::cli {
 namespace {
+
+struct SpectrumOptions : LineOptions {
+    std::string output = "spectrum";
+    std::optional<double> line_kev, from, to;
+    int bins = 1000;
+    GivenWords given;
+};
 
 std::string bin_words(const LineSource& source, const SpectrumOptions& options) {
     const std::string place = options.ring
@@ -128,9 +135,9 @@ void add_spectrum(Command& parent) {
         "--inner", &options.inner,
         "Inner rim, r_s = 2 GM/c^2, or isco, the innermost stable orbit (default: the scene's, or isco); within "
         "isco matter falls");
-    number_option(command, "--outer", options.outer, 0, kLargestRadius,
+    number_option(command, "--outer", options.outer, 0, kFarthestRim,
                   "Outer rim, r_s (default: the scene's, or 200)");
-    number_option(command, "--ring", options.ring, 0, kLargestRadius,
+    number_option(command, "--ring", options.ring, 0, kFarthestRim,
                   "One ring of this radius, r_s, instead of the disc: its profile and the extremes of its g");
     command.add_option(
         "--emissivity", &options.emissivity,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/assets.h"
 #include "base/text.h"
 #include "scenefile/key_place.h"
 #include "scenefile/scene_file.h"
@@ -65,10 +66,24 @@ Result<std::vector<FreeParameter>> parse_free(const std::string& words) {
 
 Result<SceneFamily> SceneFamily::open(std::string scene, std::vector<std::string> set,
                                       std::vector<FreeParameter> free) {
+    TRY(overrides, parse_overrides(set));
+    TRY(as_it_is, load_scene(scene, note_on_terminal, *overrides));
     SceneFamily family;
-    family.scene_ = std::move(scene), family.set_ = std::move(set);
-    TRY(overrides, parse_overrides(family.set_));
-    TRY(as_it_is, load_scene(family.scene_, note_on_terminal, *overrides));
+    family.read_ = [scene = std::move(scene), set = std::move(*overrides)](const SceneOverrides& more) {
+        SceneOverrides all = set;
+        all.insert(all.end(), more.begin(), more.end());
+        return load_scene(
+            scene, [](const std::string&) {}, all);
+    };
+    return family.with(std::move(free));
+}
+
+Result<SceneFamily> SceneFamily::of_text(std::string text, std::vector<FreeParameter> free) {
+    SceneFamily family;
+    family.read_ = [text = std::move(text)](const SceneOverrides& overrides) {
+        return parse_scene_in({assets_directory() / "scenes"}, text, "scene", overrides);
+    };
+    TRY(as_it_is, family.read_({}));
     return family.with(std::move(free));
 }
 
@@ -99,10 +114,9 @@ Result<Scene> SceneFamily::somewhere() const {
 }
 
 Result<Scene> SceneFamily::at(const std::vector<double>& values) const {
-    TRY(overrides, parse_overrides(set_));
-    for (std::size_t i = 0; i < free_.size(); ++i) overrides->push_back({free_[i].key, fmt::format("{}", values[i])});
-    return load_scene(
-        scene_, [](const std::string&) {}, *overrides);
+    SceneOverrides overrides;
+    for (std::size_t i = 0; i < free_.size(); ++i) overrides.push_back({free_[i].key, fmt::format("{}", values[i])});
+    return read_(overrides);
 }
 
 }  // namespace nullscope::fit

@@ -1,10 +1,12 @@
 // The parameters of a fit: numbers of a scene, each free within a range.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "scene/scene.h"
+#include "scenefile/scene_override.h"
 
 namespace nullscope::fit {
 
@@ -28,6 +30,8 @@ public:
     // scene: a file, or the name of one that ships; set: words of --set. Errors: those of the scene; a key that the scene cannot have, that is no
     // number, or whose range is not within the key's own, said of --free.
     static Result<SceneFamily> open(std::string scene, std::vector<std::string> set, std::vector<FreeParameter> free);
+    // text: of a scene file (scenefile/scene_writer.h), whose relative paths are of the folder of the scenes that ship.
+    static Result<SceneFamily> of_text(std::string text, std::vector<FreeParameter> free);
 
     const std::vector<FreeParameter>& free() const { return free_; }
     // Its values in the unit of scene files, one for each parameter. Errors (bad input): what the scene's file could not be either. Cost: a
@@ -38,9 +42,9 @@ public:
     Result<SceneFamily> with(std::vector<FreeParameter> more) const;
 
 private:
+    using Read = std::function<Result<Scene>(const SceneOverrides&)>;
     Status check() const;
-    std::string scene_;
-    std::vector<std::string> set_;
+    Read read_;
     std::vector<FreeParameter> free_;
 };
 

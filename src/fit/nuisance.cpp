@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "base/text.h"
 
@@ -30,6 +31,15 @@ Result<Nuisance> parse_nuisance(const std::string& words, const Scene& scene) {
         }
     }
     return nuisance;
+}
+
+Result<FreeScene> free_scene(const SceneFamily& fixed, const std::string& free, const std::string& nuisance) {
+    TRY(parameters, parse_free(free));
+    TRY(family, fixed.with(std::move(*parameters)));
+    TRY(scene, fixed.at({}));
+    TRY(more, parse_nuisance(nuisance, *scene));
+    TRY(whole, family->with(more->parameters));
+    return FreeScene{std::move(*whole), more->flux};
 }
 
 }  // namespace nullscope::fit

@@ -1,6 +1,7 @@
 // A model that draws its scene: each pixel the mean of its rays, of which there may be more.
 #pragma once
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,10 @@ public:
 
 protected:
     PaintedModel(std::shared_ptr<ScenePainter> painter, PaintedSize size) : painter_(std::move(painter)), size_(size) {}
-    Result<ScenePainter::Painted> paint(const std::vector<double>& values) { return painter_->paint(values, size_); }
+    Result<ScenePainter::Painted> paint(const std::vector<double>& values, std::optional<double> time = {}) {
+        return painter_->paint(values, size_, time);
+    }
+    Result<Scene> scene_at(const std::vector<double>& values) const { return painter_->family().at(values); }
 
 private:
     std::shared_ptr<ScenePainter> painter_;

@@ -22,9 +22,14 @@ std::optional<PictureData> for_search(const PictureData& data) {
 Result<Subject> picture_subject(const std::shared_ptr<ScenePainter>& painter, const PictureSources& sources,
                                 std::optional<int> samples) {
     TRY(data, load_picture_data(sources));
-    Subject subject{data->observed(std::filesystem::path(sources.data).filename().string()), nullptr};
-    auto model = std::make_unique<PictureModel>(painter, *data, samples.value_or(kFirstSamples));
-    if (const auto coarse = for_search(*data)) {
+    return picture_subject(painter, *data, std::filesystem::path(sources.data).filename().string(), samples);
+}
+
+Result<Subject> picture_subject(const std::shared_ptr<ScenePainter>& painter, const PictureData& data,
+                                const std::string& name, std::optional<int> samples) {
+    Subject subject{data.observed(name), nullptr};
+    auto model = std::make_unique<PictureModel>(painter, data, samples.value_or(kFirstSamples));
+    if (const auto coarse = for_search(data)) {
         subject.coarse_data = coarse->observed("");
         subject.coarse_model = std::make_unique<PictureModel>(painter, *coarse, kFirstSamples);
     }

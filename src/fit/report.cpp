@@ -80,9 +80,9 @@ std::string bad_words(const Goodness& goodness) {
 }
 
 std::string fit_table(const Reported& reported) {
-    std::string table =
-        fmt::format("{}, {} parameters, {} predictions{}{}\n", reported.data, reported.free.size(),
-                    reported.fitted.predictions, reported.fineness.empty() ? "" : ", ", reported.fineness);
+    std::string table = fmt::format("{}, {} parameters, {} predictions{}\n", reported.data, reported.free.size(),
+                                    reported.fitted.predictions,
+                                    reported.samples ? fmt::format(", {0} x {0} rays a pixel", *reported.samples) : "");
     for (std::size_t i = 0; i < reported.free.size(); ++i) table += row_of(reported, i) + '\n';
     if (reported.free_flux) table += fmt::format("{:<24} {:.6g}\n", "flux", reported.fitted.best.flux);
     table += goodness_words(reported.fitted.goodness) + correlation_table(reported) + answer_words(reported);
@@ -106,6 +106,7 @@ cli::Json fit_json(const Reported& reported) {
                                       {"high", one.high},
                                       {"at_end", best.at_end(reported.free, i)}});
     }
+    json["samples"] = reported.samples ? cli::Json(*reported.samples) : cli::Json(nullptr);
     json["flux"] = best.flux;
     json["chi2"] = goodness.chi2, json["degrees_of_freedom"] = goodness.degrees;
     json["probability"] = goodness.probability, json["converged"] = best.converged;

@@ -1,5 +1,6 @@
 // What is said of a fit: a table for people, JSON for programs.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace nullscope::fit {
 struct Reported {
     const Fitted& fitted;
     const std::vector<FreeParameter>& free;
-    std::string data;      // Observed::what
-    std::string fineness;  // Subject::fineness; empty: there is none
+    std::string data;            // Observed::what
+    std::optional<int> samples;  // Subject::samples
     bool free_flux = false;
 };
 // Best values with 68 % intervals (a standard deviation to either side), correlations, chi^2; of a bad fit the values without intervals.

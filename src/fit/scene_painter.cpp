@@ -8,20 +8,29 @@
 
 namespace nullscope::fit {
 
-ScenePainter::ScenePainter(SceneFamily family, cli::Session session)
-    : family_(std::move(family)), session_(std::move(session)) {
+SessionSource own_session(const ContextChoice& context) {
+    return [context, kept = std::make_shared<std::optional<cli::Session>>()]() -> Result<cli::Session*> {
+        if (!*kept) {
+            TRY(session, cli::open_session(context));
+            kept->emplace(std::move(*session));
+        }
+        return &**kept;
+    };
+}
+
+ScenePainter::ScenePainter(SceneFamily family, SessionSource sessions, const Method& method)
+    : family_(std::move(family)), sessions_(std::move(sessions)), method_(method) {
     drawing_.listener.progress = [](const std::string&, long long) { return Advance([](long long) {}); };
 }
 
-Result<std::shared_ptr<ScenePainter>> ScenePainter::open(SceneFamily family, const ContextChoice& context) {
+Result<std::shared_ptr<ScenePainter>> ScenePainter::open(SceneFamily family, SessionSource sessions) {
     TRY(scene, family.somewhere());
     if (scene->split || scene->camera.stereo != Stereo::kOff)
         return bad_input("a fit is to one picture", "no [split] and no camera.stereo");
     if (scene->path) return bad_input("the camera of a fit stands still", "no [path]");
-    TRY(session, cli::open_session(context));
     TRY(method, cli::chosen_method("auto", {}, *scene, cli::Listener()));
-    session->renderer->set_method(*method);
-    return std::shared_ptr<ScenePainter>(new ScenePainter(std::move(family), std::move(*session)));
+    TRY(there, sessions());
+    return std::shared_ptr<ScenePainter>(new ScenePainter(std::move(family), std::move(sessions), *method));
 }
 
 Result<ScenePainter::Painted> ScenePainter::paint(const std::vector<double>& values, const PaintedSize& size,
@@ -30,7 +39,12 @@ Result<ScenePainter::Painted> ScenePainter::paint(const std::vector<double>& val
     set_size(*scene, size.width, size.height);
     scene->picture.samples = size.samples;
     if (time) scene->time = *time;
-    TRY(captured, cli::capture_picture(&session_, *scene, drawing_));
+    TRY(session, sessions_());
+    (*session)->renderer->set_method(method_);
+    (*session)->renderer->limit_tiles(Tiles::kBodies);
+    cli::DrawOptions drawing = drawing_;
+    drawing.bands = size.bands;
+    TRY(captured, cli::capture_picture(*session, *scene, drawing));
     return Painted{std::move(*scene), std::move(*captured)};
 }
 

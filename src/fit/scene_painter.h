@@ -1,5 +1,6 @@
 // Pictures of a scene at any values of its free parameters, drawn by the shader, each pixel the mean of its rays.
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,13 +15,18 @@ namespace nullscope::fit {
 
 struct PaintedSize {
     int width, height;
-    int samples = 4;  // rays along each side of a pixel
+    int samples = 4;     // rays along each side of a pixel
+    bool bands = false;  // of matter seen at several frequencies, each
 };
+
+// Where to draw: asked for each picture, in the thread that draws.
+using SessionSource = std::function<Result<cli::Session*>()>;
+SessionSource own_session(const ContextChoice& context);  // one, opened with the first picture
 
 class ScenePainter {
 public:
-    // context: of OpenGL. Errors: no context; a scene of several pictures.
-    static Result<std::shared_ptr<ScenePainter>> open(SceneFamily family, const ContextChoice& context);
+    // Errors: a scene of several pictures, or with a path; no context.
+    static Result<std::shared_ptr<ScenePainter>> open(SceneFamily family, SessionSource sessions);
 
     struct Painted {
         Scene scene;
@@ -31,9 +37,10 @@ public:
     const SceneFamily& family() const { return family_; }
 
 private:
-    ScenePainter(SceneFamily family, cli::Session session);
+    ScenePainter(SceneFamily family, SessionSource sessions, const Method& method);
     SceneFamily family_;
-    cli::Session session_;
+    SessionSource sessions_;
+    Method method_;
     cli::DrawOptions drawing_;
 };
 

@@ -1,7 +1,5 @@
 #include "fit/subject.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 namespace nullscope::fit {
@@ -22,7 +20,7 @@ Result<Fitted> fit_subject(Subject& subject, const std::vector<FreeParameter>& f
 
 void make_finer(Subject& subject, std::optional<int> samples, std::unique_ptr<PaintedModel> model) {
     if (!samples) subject.finer = [model = model.get()] { return model->finer(); };
-    subject.fineness = [model = model.get()] { return fmt::format("{0} x {0} rays a pixel", model->samples()); };
+    subject.samples = [model = model.get()] { return model->samples(); };
     subject.model = std::move(model);
 }
 

@@ -18,8 +18,8 @@ struct Subject {
     std::unique_ptr<Model> model;
     std::optional<Observed> coarse_data{};  // the same data, fewer, for the search
     std::unique_ptr<Model> coarse_model{};
-    std::function<bool()> finer{};            // of the model, as of run_fit()
-    std::function<std::string()> fineness{};  // for people: "8 x 8 rays a pixel"
+    std::function<bool()> finer{};   // of the model, as of run_fit()
+    std::function<int()> samples{};  // that it has now: rays along each side of a pixel; none: it draws no picture
 };
 
 struct FitOptions {
@@ -35,5 +35,7 @@ void make_finer(Subject& subject, std::optional<int> samples, std::unique_ptr<Pa
 // A picture; samples: rays along each side of a pixel, nothing: as many as it takes for the answer to stay.
 Result<Subject> picture_subject(const std::shared_ptr<ScenePainter>& painter, const PictureSources& sources,
                                 std::optional<int> samples);
+Result<Subject> picture_subject(const std::shared_ptr<ScenePainter>& painter, const PictureData& data,
+                                const std::string& name, std::optional<int> samples);
 
 }  // namespace nullscope::fit

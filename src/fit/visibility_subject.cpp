@@ -1,18 +1,12 @@
 #include "fit/visibility_subject.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <filesystem>
 #include <utility>
 #include <vector>
 
-#include "base/atomic_file.h"
 #include "command/sky_light.h"
 #include "fit/painted_model.h"
-#include "fit/sigma_words.h"
 #include "telescope/csv_table.h"
 #include "telescope/flux.h"
 #include "telescope/visibility.h"
@@ -43,9 +37,8 @@ std::vector<TableColumn> visibility_table_columns() {
     return columns;
 }
 
-Result<VisibilityData> read_visibilities(const std::string& file, const std::string& sigma) {
-    TRY(text, read_text(file, kLargestTable));
-    TRY(table, CsvTable::read(*text, file, visibility_table_columns(), kMostData));
+Result<VisibilityData> read_visibilities(const TableSource& source) {
+    TRY(table, CsvTable::read(source.text, source.name, visibility_table_columns(), kMostData));
     VisibilityData data;
     data.in_jansky = table->has("amplitude_jy") || table->has("real_jy");
     const std::string unit = data.in_jansky ? "_jy" : "";
@@ -54,29 +47,18 @@ Result<VisibilityData> read_visibilities(const std::string& file, const std::str
     if (!data.is_complex && !table->has(real[0]))
         return table->fault(1, "header", "no visibilities",
                             "real and imaginary, or amplitude; of each in Jy real_jy, ...");
-    const bool has_noise = table->has("noise" + unit);
-    if (has_noise != sigma.empty())
-        return table->fault(1, "noise" + unit, has_noise ? "this column and --sigma" : "this column is missing",
-                            "the column, or --sigma NUMBER or NUMBER% of the largest amplitude");
-    double largest = 0;
+    const std::vector<std::string>& columns = data.is_complex ? complex : real;
     for (const TableLine& line : table->lines()) {
         TRY(u, table->number(line, "u"));
         TRY(v, table->number(line, "v"));
         data.baselines.push_back({*u, *v});
-        for (const std::string& column : data.is_complex ? complex : real) {
+        for (const std::string& column : columns) {
             TRY(value, table->number(line, column));
-            data.observed.value.push_back(*value), largest = std::max(largest, std::fabs(*value));
-            if (!has_noise) continue;
-            TRY(noise, table->number(line, "noise" + unit));
-            data.observed.sigma.push_back(*noise);
+            data.observed.value.push_back(*value);
         }
     }
-    if (!has_noise) {
-        TRY(same, shared_sigma(sigma, largest));
-        data.observed.sigma.assign(data.observed.value.size(), *same);
-    }
-    data.observed.what =
-        fmt::format("{} visibilities of {}", data.baselines.size(), std::filesystem::path(file).filename().string());
+    TRY(with_sigma, set_table_sigma(*table, "noise" + unit, source, "amplitude", columns.size(), data.observed));
+    data.observed.what = table_words(data.baselines.size(), "visibilities", source);
     return data;
 }
 
@@ -106,12 +88,12 @@ private:
 
 }  // namespace
 
-Result<Subject> visibility_subject(const std::shared_ptr<ScenePainter>& painter, const VisibilitySources& sources,
+Result<Subject> visibility_subject(const std::shared_ptr<ScenePainter>& painter, const TableSource& source,
                                    std::optional<int> samples) {
-    TRY(data, read_visibilities(sources.data, sources.sigma));
+    TRY(data, read_visibilities(source));
     TRY(scene, painter->family().somewhere());
     TRY(scaled, cli::sky_scale(*scene));
-    if (data->in_jansky != flux_unit(*scene, false).has_value() && !sources.free_flux)
+    if (data->in_jansky != flux_unit(*scene, false).has_value() && !source.free_flux)
         return bad_input(data->in_jansky ? "the table is in Jy, the scene's light is not"
                                          : "the scene's light is in Jy, the table is not",
                          "--nuisance flux");

@@ -5,20 +5,14 @@
 #include <string>
 
 #include "base/result.h"
-#include "fit/subject.h"
+#include "fit/data_sources.h"
 
 namespace nullscope::fit {
-
-struct VisibilitySources {
-    std::string data;   // a table
-    std::string sigma;  // in the place of its column noise: a number, a number and % (of the largest); else empty
-    bool free_flux = false;
-};
 
 // Real and imaginary part of each line; where the table has none, its amplitude. The picture has the scene's own size; samples: as
 // picture_subject(). Errors (bad input): file, line and column of the first fault; the picture has no scale on the sky; of table and picture one is in
 // Jy, and the flux is not free.
-Result<Subject> visibility_subject(const std::shared_ptr<ScenePainter>& painter, const VisibilitySources& sources,
+Result<Subject> visibility_subject(const std::shared_ptr<ScenePainter>& painter, const TableSource& source,
                                    std::optional<int> samples);
 
 }  // namespace nullscope::fit

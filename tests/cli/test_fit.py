@@ -11,6 +11,47 @@ import support
 
 FREE = "spin=0:0.99,camera.theta=10:80"
 SIGNAL_TO_NOISE = 30
+SPOT = """[camera]
+r = 200
+theta = 65
+fov = 4
+size = [32, 32]
+[sky]
+kind = "black"
+[disc]
+emission = "thermal"
+inner = 3
+outer = 8
+opacity = 0
+[spot]
+r = 4.5
+size = 0.6
+phase = 30
+[light]
+band = "bolometric"
+"""
+STAR = """[camera]
+r = 200
+theta = 70
+fov = 1.6
+size = [32, 32]
+[sky]
+kind = "black"
+[object]
+mass_suns = 1.4
+distance_pc = 1000
+[sphere]
+radius = 2.5
+spin_rate = 0.03
+temperature = 6000
+colour = [0, 0, 0]
+[[cap]]
+colatitude = 60
+radius = 30
+temperature = 6000
+[light]
+band = "bolometric"
+"""
 
 
 def spent():
@@ -127,6 +168,72 @@ class Fits(support.CliTest):
         self.assertLess(abs(theta["best"] - 50), 4 * theta["sigma"])
         self.assertLess(abs(outer["best"] - 10), 4 * outer["sigma"])
         self.assertTrue(found["describes_the_data"], found)
+
+    @support.costly
+    def test_a_light_curve_of_a_spot(self):
+        self.write("true.toml", SPOT)
+        self.run_nullscope("lightcurve", "true.toml", "--renderer", "reference", "--samples", "3", "--steps", "25", "-o", "seen")
+        self.with_noise("seen.csv", ["flux"], 0.01)
+        found = json.loads(self.run_nullscope("fit", "seen.csv", "true.toml", "--free", "spot.r=3.2:6,camera.theta=20:85", "--json").out)
+        radius, theta = found["parameters"]
+        self.assertLess(abs(radius["best"] - 4.5), 4 * radius["sigma"])
+        self.assertLess(abs(theta["best"] - 65), 4 * theta["sigma"])
+        self.assertLess(radius["sigma"], 0.05)   # the period alone says as much
+        self.assertEqual(found["degrees_of_freedom"], 25 - 2)
+        self.assertTrue(found["describes_the_data"], found)
+
+    @support.costly
+    def test_a_pulse_in_seconds_weighs_the_star(self):
+        self.write("true.toml", STAR)
+        self.run_nullscope("lightcurve", "true.toml", "--renderer", "reference", "--samples", "3", "--steps", "24", "-o", "seen")
+        lines = [line.split(",") for line in (self.folder / "seen.csv").read_text().splitlines() if not line.startswith("#")]
+        second = 1.4 * 2 * 1.3271244e20 / 299792458.0 ** 3   # of r_s/c
+        rows = ["%.17g,%s" % (float(row[0]) * second, row[1]) for row in lines[1:]]
+        self.write("seen.csv", "time_s,flux\n" + "\n".join(rows) + "\n")
+        self.with_noise("seen.csv", ["flux"], 0.01)
+        found = json.loads(self.run_nullscope("fit", "seen.csv", "true.toml", "--free", "object.mass_suns=1.2:1.6,camera.theta=30:85", "--json").out)
+        mass, theta = found["parameters"]
+        self.assertLess(abs(mass["best"] - 1.4), 4 * mass["sigma"])
+        self.assertLess(mass["sigma"], 0.01)
+        self.assertLess(abs(theta["best"] - 70), 4 * theta["sigma"])
+        self.assertTrue(found["describes_the_data"], found)
+
+    @support.costly
+    def test_another_metric_is_refused(self):
+        """A Reissner-Nordstroem hole of charge 0.9 is no Kerr hole, whatever its spin, distance, disc and place in the picture."""
+        charged = (fit_data.SCENE % (32, 32)).replace('"kerr"', '"reissner-nordstrom"').replace("spin = 0.7", "charge = 0.9")
+        self.write("true.toml", charged)
+        self.write("scene.toml", fit_data.SCENE % (32, 32))
+        self.run_nullscope("capture", "true.toml", "--renderer", "reference", "--samples", "6", "-o", "true.fits")
+        rows = fit_data.rows_of((self.folder / "true.fits").read_bytes())
+        self.sigma = fit_data.brightest(rows) / 100
+        self.write("data.fits", fit_data.fits(fit_data.noisy(rows, self.sigma, 1)))
+        usual = "--sigma", "%.17g" % self.sigma, "--nuisance", "flux"
+        ran = self.run_nullscope("fit", "data.fits", "scene.toml", "--free", "spin=-0.99:0.99,camera.theta=10:80,disc.outer=8:12", *usual, status=1)
+        self.assertRegex(ran.err, r"this scene does not describe the data: chi\^2/dof \d")
+        self.assertNotIn("+-", ran.out)
+        # Its own metric does.
+        own = self.run_nullscope("fit", "data.fits", "true.toml", "--free", "charge=0:0.99,camera.theta=10:80", *usual)
+        self.assertIn("+-", own.out)
+
+    def test_errors_of_light_curves(self):
+        self.write("still.toml", fit_data.SCENE % (8, 8))
+        self.write("spot.toml", SPOT)
+
+        def refused(table, says, *more, scene="spot.toml", free="spot.r=3.2:6"):
+            self.write("data.csv", table)
+            self.refused("fit", "data.csv", scene, "--free", free, "-o", "best.toml", *more, says=says)
+
+        curve = "time,flux,noise\n0,0.5,0.1\n"
+        refused(curve, ["nothing in the scene changes with time"], scene="still.toml", free=FREE)
+        refused(curve.replace("0.5", "inf"), ["data.csv:2: flux"])
+        refused(curve.replace("0.1", "0"), ["data.csv:2: noise"])
+        refused(curve.replace("flux", "red"), ["no flux that the scene has"])
+        refused(curve.replace("flux", "jansky"), ["data.csv:1: jansky", "--nuisance flux"])
+        refused(curve.replace("time", "time_s"), ["data.csv:1: time_s", "mass"])
+        refused(curve.replace("flux", "flux,time_s").replace("0.5", "0.5,1"), ["data.csv:1: time_s", "one of them"])
+        refused(curve.replace("flux", "magnitude"), ["data.csv:1: header", "magnitude"])
+        refused("time,flux\n0,0.5\n", ["noise", "--sigma NUMBER"])
 
     def test_errors_of_tables(self):
         self.write("scene.toml", (fit_data.SCENE % (8, 8)) + '[object]\nname = "m87"\n')

@@ -5,19 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace nullscope::fit {
 namespace {
 
 constexpr int kMostSteps = 40;
-
-// Of the data less the prediction, in standard deviations; and of its derivatives by shares of the ranges, one column each.
-struct Residuals {
-    std::vector<double> value;
-    std::vector<Prediction> slope;
-};
 
 // Evaluates the model once for all of Ceres' blocks of residuals.
 class Evaluation final : public ceres::EvaluationCallback {
@@ -26,7 +20,8 @@ public:
         : problem_(problem), steps_(steps), shares_(problem.free.size()) {}
 
     double* shares() { return shares_.data(); }
-    const Residuals& residuals() const { return residuals_; }
+    const std::vector<double>& residuals() const { return residuals_; }  // in standard deviations
+    const Slopes& slopes() const { return slopes_; }
     bool good() const { return good_; }
     const std::optional<Error>& error() const { return error_; }
     int predictions() const { return predictions_; }
@@ -36,17 +31,11 @@ public:
         return values;
     }
     void PrepareForEvaluation(bool with_slopes, bool at_new_place) override {
-        if (at_new_place) residuals_.slope.clear(), good_ = set_value();
-        if (good_ && with_slopes && residuals_.slope.empty()) good_ = set_slopes();
+        if (at_new_place) slopes_.columns.clear(), good_ = set_value();
+        if (good_ && with_slopes && slopes_.columns.empty()) good_ = set_slopes();
     }
 
 private:
-    Result<Comparison> compared(std::size_t changed, double share) {
-        std::vector<double> values = this->values();
-        values[changed] = problem_.free[changed].at(share);
-        ++predictions_;
-        return compare(problem_, values);
-    }
     bool keep(const Error& error) {
         error_ = error;
         return false;
@@ -56,43 +45,25 @@ private:
         auto here = compare(problem_, values());
         if (!here) return keep(here.error());
         here_ = std::move(*here);
-        residuals_.value.resize(here_.prediction.size());
+        residuals_.resize(here_.prediction.size());
         for (std::size_t i = 0; i < here_.prediction.size(); ++i)
-            residuals_.value[i] = (here_.prediction[i] - problem_.data.value[i]) / problem_.data.sigma[i];
+            residuals_[i] = (here_.prediction[i] - problem_.data.value[i]) / problem_.data.sigma[i];
         return true;
     }
     bool set_slopes() {
-        if (!problem_.free_flux)
-            if (auto exact = problem_.model.derivatives(values())) {
-                for (std::size_t k = 0; k < exact->size(); ++k)
-                    scale((*exact)[k], problem_.free[k].high - problem_.free[k].low);
-                residuals_.slope = std::move(*exact);
-                return true;
-            }
-        for (std::size_t k = 0; k < shares_.size(); ++k) {
-            // Both places are within the range: next to its end they are not on both sides alike.
-            const double half = steps_.half[k], from = std::clamp(shares_[k] - half, 0.0, 1.0 - 2 * half);
-            auto low = compared(k, from), high = compared(k, from + 2 * half);
-            if (!low && !high) return keep(low.error());
-            // What cannot be drawn on one side is left out.
-            const double width = low && high ? 2 * half : low ? shares_[k] - from : from + 2 * half - shares_[k];
-            Prediction slope = high ? std::move(high->prediction) : here_.prediction;
-            const Prediction& less = low ? low->prediction : here_.prediction;
-            for (std::size_t i = 0; i < slope.size(); ++i) slope[i] -= less[i];
-            scale(slope, 1 / width);
-            residuals_.slope.push_back(std::move(slope));
-        }
+        auto slopes = slopes_at(problem_, shares_, steps_, here_);
+        if (!slopes) return keep(slopes.error());
+        slopes_ = std::move(*slopes);
+        predictions_ += slopes_.predictions;
         return true;
-    }
-    void scale(Prediction& slope, double factor) const {
-        for (std::size_t i = 0; i < slope.size(); ++i) slope[i] *= factor / problem_.data.sigma[i];
     }
 
     const Problem& problem_;
     const Steps& steps_;
     std::vector<double> shares_;
     Comparison here_;
-    Residuals residuals_;
+    std::vector<double> residuals_;
+    Slopes slopes_;
     bool good_ = false;
     std::optional<Error> error_;
     int predictions_ = 0;
@@ -107,10 +78,10 @@ public:
     }
     bool Evaluate(double const* const*, double* residual, double** slopes) const override {
         if (!evaluation_.good()) return false;
-        *residual = evaluation_.residuals().value[number_];
+        *residual = evaluation_.residuals()[number_];
         if (slopes != nullptr && slopes[0] != nullptr)
-            for (std::size_t k = 0; k < evaluation_.residuals().slope.size(); ++k)
-                slopes[0][k] = evaluation_.residuals().slope[k][number_];
+            for (std::size_t k = 0; k < evaluation_.slopes().columns.size(); ++k)
+                slopes[0][k] = evaluation_.slopes().columns[k][number_];
         return true;
     }
 
@@ -196,8 +167,7 @@ Result<Solution> solve(const Problem& problem, const std::vector<double>& start,
     TRY(best, compare(problem, evaluation.values()));
     Solution solution{evaluation.values(), best->flux, best->chi2, summary.termination_type != ceres::NO_CONVERGENCE};
     add_covariance(least, evaluation.shares(), problem, solution);
-    for (const Prediction& slope : evaluation.residuals().slope)
-        solution.slope.push_back(std::sqrt(std::inner_product(slope.begin(), slope.end(), slope.begin(), 0.0)));
+    solution.slope = evaluation.slopes().lengths();
     solution.predictions = evaluation.predictions() + 1;
     return solution;
 }

@@ -1,4 +1,4 @@
-#include "cli/line_emissivity.h"
+#include "command/line_emissivity.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,10 @@
-// What emits a line: a disc, or one ring of it, as a scene and the options of `nullscope spectrum` say.
+// What emits a line: a disc, or one ring of it, as a scene and options of `nullscope spectrum` say.
 #pragma once
 #include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "cli/table_file.h"
 #include "scene/disc_emissivity.h"
 #include "scene/scene.h"
 #include "spacetime/circular_orbit.h"
@@ -14,14 +13,12 @@
 
 namespace nullscope::cli {
 
-inline constexpr double kLargestRadius = 1e6;  // r_s
+inline constexpr double kFarthestRim = 1e6;  // r_s
 inline constexpr double kOneDegree = M_PI / 180.0;
 
-struct SpectrumOptions {
-    std::string scene, output = "spectrum", inner, emissivity, limb = "isotropic";
-    std::optional<double> spin, inclination_deg, outer, line_kev, ring, from, to;
-    int bins = 1000;
-    GivenWords given;
+struct LineOptions {
+    std::string scene, inner, emissivity, limb = "isotropic";
+    std::optional<double> spin, inclination_deg, outer, ring;
 };
 
 // What is seen, from the scene and the options.
@@ -38,10 +35,10 @@ struct LineSource {
 };
 
 // Errors (bad input): the options' and the disc's; no innermost stable orbit.
-Result<LineSource> line_source(const SpectrumOptions& options);  // of its scene, or a hole of its spin
-Result<LineSource> line_source(const SpectrumOptions& options,
+Result<LineSource> line_source(const LineOptions& options);  // of its scene, or a hole of its spin
+Result<LineSource> line_source(const LineOptions& options,
                                Scene scene);  // options.scene: only whether there is one
 // source outlives it.
-DiscLine disc_line(const LineSource& source, const SpectrumOptions& options);
+DiscLine disc_line(const LineSource& source, const LineOptions& options);
 
 }  // namespace nullscope::cli

@@ -1,4 +1,4 @@
-#include "cli/line_source.h"
+#include "command/line_source.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/text.h"
-#include "cli/line_emissivity.h"
+#include "command/line_emissivity.h"
 #include "observer/pose.h"
 #include "scene/disc_shape.h"
 #include "scene/leaning_disc.h"
@@ -42,17 +42,17 @@ std::string name_of(const Scene& scene) {
 }
 
 // The rims, from where light comes to the observer.
-Status set_rims(LineSource& source, const SpectrumOptions& options, const std::optional<DiscSpec>& disc) {
+Status set_rims(LineSource& source, const LineOptions& options, const std::optional<DiscSpec>& disc) {
     if (options.ring && (!options.inner.empty() || options.outer))
         return bad_input("--ring with --inner or --outer", "a ring or a disc");
-    if (options.ring && !source.thermal() && options.given.has("--emissivity"))
+    if (options.ring && !source.thermal() && !options.emissivity.empty())
         return bad_input("--emissivity: no effect on a --ring of one radius", "a disc, or thermal");
     source.inner = disc && options.inner.empty() ? disc->inner : source.isco;
     if (!options.inner.empty() && options.inner != "isco") {
-        const auto inner = number_in(options.inner, 0.0, kLargestRadius);
+        const auto inner = number_in(options.inner, 0.0, kFarthestRim);
         if (!inner)
             return bad_input(fmt::format("--inner {}: not a radius", options.inner),
-                             fmt::format("isco, or r_s from 0 to {:g}", kLargestRadius));
+                             fmt::format("isco, or r_s from 0 to {:g}", kFarthestRim));
         source.inner = *inner;
     }
     source.outer = options.outer.value_or(disc ? disc->outer : kOuter);
@@ -83,7 +83,7 @@ double from_axis(const Scene& scene) {
 
 }  // namespace
 
-Result<LineSource> line_source(const SpectrumOptions& options) {
+Result<LineSource> line_source(const LineOptions& options) {
     Scene scene;
     if (!options.scene.empty()) {
         if (options.spin) return bad_input("--spin with a scene, which has its own spacetime", "a scene or --spin");
@@ -95,7 +95,7 @@ Result<LineSource> line_source(const SpectrumOptions& options) {
     return line_source(options, std::move(scene));
 }
 
-Result<LineSource> line_source(const SpectrumOptions& options, Scene scene) {
+Result<LineSource> line_source(const LineOptions& options, Scene scene) {
     TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
     if (disc_leans(scene) && (*spacetime)->rotates())
         return bad_input("lines are of discs in the equatorial plane of a rotating hole", "disc.tilt = 0");
@@ -117,7 +117,7 @@ Result<LineSource> line_source(const SpectrumOptions& options, Scene scene) {
     return source;
 }
 
-DiscLine disc_line(const LineSource& source, const SpectrumOptions& options) {
+DiscLine disc_line(const LineSource& source, const LineOptions& options) {
     DiscLine line{source.inner, source.outer, {}};
     line.sense = source.sense;
     line.limb = options.limb == "laor" ? Limb::kLaor : options.limb == "haardt" ? Limb::kHaardt : Limb::kIsotropic;

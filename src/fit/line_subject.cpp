@@ -1,23 +1,15 @@
-#include "cli/line_subject.h"
+#include "fit/line_subject.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "base/atomic_file.h"
-#include "base/csv.h"
-#include "base/text.h"
-#include "cli/line_source.h"
-#include "fit/sigma_words.h"
+#include "command/line_source.h"
 #include "telescope/csv_table.h"
 
-namespace nullscope::cli {
+namespace nullscope::fit {
 namespace {
 
 constexpr int kLevel = 1;            // of LineCells: half of it changes no bin by more than a hundredth of the largest
@@ -26,7 +18,7 @@ constexpr double kLargestShift = 1e3, kLargestShare = 1e30;
 
 struct LineTable {
     LineBins bins;
-    fit::Observed observed;
+    Observed observed;
 };
 
 std::vector<TableColumn> line_columns() {
@@ -55,67 +47,46 @@ Result<LineBins> bins_in(const CsvTable& table) {
     return LineBins{static_cast<int>(from.size()), from.front(), to.back()};
 }
 
-Result<LineTable> read_line(const std::string& file, const std::string& sigma) {
-    TRY(text, read_text(file, kLargestTable));
-    TRY(table, CsvTable::read(*text, file, line_columns(), fit::kMostData));
+Result<LineTable> read_line(const TableSource& source) {
+    TRY(table, CsvTable::read(source.text, source.name, line_columns(), kMostData));
     TRY(bins, bins_in(*table));
     LineTable line{*bins, {}};
-    if (table->has("noise") != sigma.empty())
-        return table->fault(1, "noise", table->has("noise") ? "this column and --sigma" : "this column is missing",
-                            "the column, or --sigma NUMBER or NUMBER% of the largest share");
-    double largest = 0;
     for (const TableLine& row : table->lines()) {
         TRY(photons, table->number(row, "photons"));
-        line.observed.value.push_back(*photons), largest = std::max(largest, *photons);
-        if (!sigma.empty()) continue;
-        TRY(noise, table->number(row, "noise"));
-        line.observed.sigma.push_back(*noise);
+        line.observed.value.push_back(*photons);
     }
-    if (!sigma.empty()) {
-        TRY(same, fit::shared_sigma(sigma, largest));
-        line.observed.sigma.assign(line.observed.value.size(), *same);
-    }
-    line.observed.what = fmt::format("{} bins of {}", line.observed.value.size(),
-                                     without_controls(std::filesystem::path(file).filename().string()));
+    TRY(with_sigma, set_table_sigma(*table, "noise", source, "share", 1, line.observed));
+    line.observed.what = table_words(line.observed.value.size(), "bins", source);
     return line;
 }
 
-class LineModel final : public fit::Model {
+class LineModel final : public Model {
 public:
-    LineModel(const fit::SceneFamily& family, LineBins bins) : family_(family), bins_(bins) {}
-    Result<fit::Prediction> predict(const std::vector<double>& values) override {
+    LineModel(const SceneFamily& family, LineBins bins) : family_(family), bins_(bins) {}
+    Result<Prediction> predict(const std::vector<double>& values) override {
         TRY(scene, family_.at(values));
-        SpectrumOptions options;
+        cli::LineOptions options;
         options.scene = "of the fit";
-        TRY(source, line_source(options, std::move(*scene)));
+        TRY(source, cli::line_source(options, std::move(*scene)));
         TRY(light, DistantLight::make(source->spacetime, source->inclination));
-        DiscLine line = disc_line(*source, options);
+        DiscLine line = cli::disc_line(*source, options);
         line.polarisation = nullptr;
         const LineProfile profile = line_profile(*light, line, bins_, LineCells(kLevel));
-        fit::Prediction prediction;
+        Prediction prediction;
         for (std::size_t bin = 0; bin < profile.photons.size(); ++bin) prediction.push_back(profile.share(bin));
         return prediction;
     }
 
 private:
-    fit::SceneFamily family_;
+    SceneFamily family_;
     LineBins bins_;
 };
 
 }  // namespace
 
-bool is_line_table(const std::string& file) {
-    const auto text = read_text(file, kLargestTable);
-    if (!text) return false;
-    CsvLines lines(*text);
-    if (!lines.next()) return false;
-    const auto header = csv_fields(lines.line);
-    return header && std::ranges::find(*header, "g_from") != header->end();
+Result<Subject> line_subject(const SceneFamily& family, const TableSource& source) {
+    TRY(line, read_line(source));
+    return Subject{std::move(line->observed), std::make_unique<LineModel>(family, line->bins)};
 }
 
-Result<fit::Subject> line_subject(const fit::SceneFamily& family, const std::string& file, const std::string& sigma) {
-    TRY(line, read_line(file, sigma));
-    return fit::Subject{std::move(line->observed), std::make_unique<LineModel>(family, line->bins)};
-}
-
-}  // namespace nullscope::cli
+}  // namespace nullscope::fit
