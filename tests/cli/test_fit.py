@@ -174,10 +174,11 @@ class Fits(support.CliTest):
         self.write("true.toml", SPOT)
         self.run_nullscope("lightcurve", "true.toml", "--renderer", "reference", "--samples", "3", "--steps", "25", "-o", "seen")
         self.with_noise("seen.csv", ["flux"], 0.01)
-        found = json.loads(self.run_nullscope("fit", "seen.csv", "true.toml", "--free", "spot.r=3.2:6,camera.theta=20:85", "--json").out)
+        found = json.loads(self.run_nullscope("fit", "seen.csv", "true.toml", "--free", "spot.r=3.2:6,camera.theta=20:85", "--starts", "2", "--json").out)
         radius, theta = found["parameters"]
         self.assertLess(abs(radius["best"] - 4.5), 4 * radius["sigma"])
         self.assertLess(abs(theta["best"] - 65), 4 * theta["sigma"])
+        print("curve of a spot: " + ", ".join("%(key)s %(best).5f +- %(sigma).2g" % one for one in found["parameters"]))
         self.assertLess(radius["sigma"], 0.05)   # the period alone says as much
         self.assertEqual(found["degrees_of_freedom"], 25 - 2)
         self.assertTrue(found["describes_the_data"], found)
@@ -191,8 +192,9 @@ class Fits(support.CliTest):
         rows = ["%.17g,%s" % (float(row[0]) * second, row[1]) for row in lines[1:]]
         self.write("seen.csv", "time_s,flux\n" + "\n".join(rows) + "\n")
         self.with_noise("seen.csv", ["flux"], 0.01)
-        found = json.loads(self.run_nullscope("fit", "seen.csv", "true.toml", "--free", "object.mass_suns=1.2:1.6,camera.theta=30:85", "--json").out)
+        found = json.loads(self.run_nullscope("fit", "seen.csv", "true.toml", "--free", "object.mass_suns=1.2:1.6,camera.theta=30:85", "--starts", "2", "--json").out)
         mass, theta = found["parameters"]
+        print("pulse in seconds: " + ", ".join("%(key)s %(best).5f +- %(sigma).2g" % one for one in found["parameters"]))
         self.assertLess(abs(mass["best"] - 1.4), 4 * mass["sigma"])
         self.assertLess(mass["sigma"], 0.01)
         self.assertLess(abs(theta["best"] - 70), 4 * theta["sigma"])
