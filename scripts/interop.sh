@@ -3,7 +3,7 @@
 # versions of tests/interop/programs.csv, or as Debian has them. Needs PyPI, for some npm's registry; run by hand, before a release.
 #
 #   scripts/interop.sh              all of them: some minutes, 2.5 GB
-#   scripts/interop.sh NAME...      only these: blender blender-5.2 openimageio openexr ehtim astropy ds9 casacore pandas joblib ffmpeg imagemagick gimp panorama
+#   scripts/interop.sh NAME...      only these: blender blender-5.2 openimageio openexr ehtim astropy ds9 casacore pandas joblib aart samplers ffmpeg imagemagick gimp panorama
 #
 # In ctest: -L interop (--program PROGRAM NAME), and at depth all the light ones, openexr and openimageio (--tier PROGRAM NAME...).
 set -euo pipefail
@@ -51,7 +51,7 @@ run() {
     done
     environment "$name" "$python" "$packages" "$npm" || return 1
     # The package nullscope, as it is now.
-    [[ $name != ehtim && $name != joblib ]] || "$root/build/interop/$name/bin/python" -m pip install --quiet "$root"
+    [[ ! $name =~ ^(ehtim|joblib|aart|samplers)$ ]] || "$root/build/interop/$name/bin/python" -m pip install --quiet "$root"
     "$root/build/interop/$name/bin/python" -B "$root/tests/interop/test_${name%%-*}.py" "$program"
 }
 

@@ -2,7 +2,7 @@
 # Installs the Python package in a fresh environment, build/python-venv, by pip, and tests it there. Needs PyPI.
 #
 #   scripts/python.sh           all tests of tests/python
-#   scripts/python.sh NAME...   only these: package, pickle, docs, grmhd, grmhd_codes
+#   scripts/python.sh NAME...   only these: package, pickle, docs, fits, grmhd, grmhd_codes
 #
 # What build/release has compiled is not compiled again where ccache is installed. In ctest (--tier PROGRAM) at depth all alone.
 set -euo pipefail
@@ -22,14 +22,14 @@ if [[ ${1-} == --tier ]]; then
 else
     "$root/scripts/build.sh" nullscope
 fi
-[[ $# -gt 0 ]] || set -- package pickle docs grmhd grmhd_codes
+[[ $# -gt 0 ]] || set -- package pickle docs fits grmhd grmhd_codes
 
 export CC=cc CXX=c++   # the compiler's name is part of what ccache goes by
 export PIP_DISABLE_PIP_VERSION_CHECK=1
 rm -rf "$environment"
 python3 -m venv "$environment"
 "$environment/bin/pip" install --quiet "$root"
-"$environment/bin/pip" install --quiet matplotlib nbclient ipykernel OpenEXR h5py   # of the tests
+"$environment/bin/pip" install --quiet matplotlib corner nbclient ipykernel OpenEXR h5py   # of the tests
 status=0
 for name in "$@"; do
     "$environment/bin/python" -B "$root/tests/python/test_$name.py" "$program" || status=1

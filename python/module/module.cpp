@@ -22,4 +22,5 @@ NB_MODULE(_core, m) {
     add_trace(m);
     add_picture(m);
     add_telescope(m);
+    add_fit(m);
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "command/session.h"
 #include "scene/scene.h"
 #include "spacetime/spacetime.h"
 
@@ -18,7 +19,10 @@ void add_observer(nb::module_& module);
 void add_trace(nb::module_& module);
 void add_picture(nb::module_& module);
 void add_telescope(nb::module_& module);
+void add_fit(nb::module_& module);
 
+// An OpenGL context and what is in it, kept in this thread for the next picture.
+Result<cli::Session*> session_of(const std::string& context);
 // Closes what pictures keep in this thread: an OpenGL context and what is in it.
 void forget_session();
 
@@ -28,6 +32,8 @@ struct Space {
     std::shared_ptr<const Spacetime> metric;
 };
 Space space_of(const SpacetimeSpec& spec);  // throws Refused
-Scene scene_of(const nb::object& given);    // what nullscope.scene() makes of it; throws as that does
+std::string pickled(
+    const Scene& scene);  // text that parse_scene_in() reads beside the scenes that ship; throws Refused
+Scene scene_of(const nb::object& given);  // what nullscope.scene() makes of it; throws as that does
 
 }  // namespace nullscope::python

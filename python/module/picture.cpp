@@ -87,14 +87,6 @@ std::optional<Kept>& kept() {
     return session;
 }
 
-Result<cli::Session*> session_of(const std::string& context) {
-    if (kept() && kept()->context == context) return &kept()->session;
-    kept().reset();
-    TRY(opened, cli::open_session(context));
-    kept().emplace(context, std::move(*opened));
-    return &kept()->session;
-}
-
 // draw(session or null, shot, frame) with the method set; what goes wrong in between leaves no session.
 template <class Draw>
 auto with_session(const cli::Shot& shot, const Asked& asked, const Draw& draw) -> decltype(draw(nullptr)) {
@@ -275,6 +267,14 @@ nb::dict on_sky(const Scene& scene, const Asked& asked) {
 }
 
 }  // namespace
+
+Result<cli::Session*> session_of(const std::string& context) {
+    if (kept() && kept()->context == context) return &kept()->session;
+    kept().reset();
+    TRY(opened, cli::open_session(context));
+    kept().emplace(context, std::move(*opened));
+    return &kept()->session;
+}
 
 void forget_session() { kept().reset(); }
 

@@ -21,7 +21,13 @@ Scene parsed(const std::string& text, bool lines) {
     throw Refused(error);
 }
 
-// What a pickle holds: files that ship are relative to where they ship, others absolute.
+void unpickle(Scene& scene, const std::string& text) {
+    new (&scene) Scene(value_of(parse_scene_in({assets_directory() / "scenes"}, text, "pickled scene")));
+}
+
+}  // namespace
+
+// Files that ship are relative to where they ship, others absolute.
 std::string pickled(const Scene& scene) {
     std::string text = exact_scene_text(scene, assets_directory() / "scenes");
     if (text.size() > kLargestSceneFile)
@@ -29,12 +35,6 @@ std::string pickled(const Scene& scene) {
                                 fmt::format("{} bytes", kLargestSceneFile)));
     return text;
 }
-
-void unpickle(Scene& scene, const std::string& text) {
-    new (&scene) Scene(value_of(parse_scene_in({assets_directory() / "scenes"}, text, "pickled scene")));
-}
-
-}  // namespace
 
 Scene scene_of(const nb::object& given) {
     return nb::cast<Scene>(nb::module_::import_("nullscope").attr("scene")(given));

@@ -10,13 +10,14 @@ from pathlib import Path as _Path
 from . import _core
 from ._core import Error, Observer, Scene, Spacetime, Worldline, __version__, forget_session, scenes
 from ._ehtim import to_ehtim, to_ehtim_movie
+from ._fits import Fit, Likelihood, fit, likelihood
 from ._pictures import RAYDATA, Band, Picture, Polarisation, capture, raydata
 from ._rays import Fate, deflection, fate_name, gradient, trace, trace_curves, worldline
 from ._scenes import scene
 from ._telescope import observe, visibility
 
-__all__ = ["RAYDATA", "Band", "Error", "Fate", "Observer", "Picture", "Polarisation", "Scene", "Spacetime", "Worldline", "__version__", "capture",
-           "deflection", "fate_name", "forget_session", "gradient", "observe", "raydata", "scene", "scenes", "to_ehtim", "to_ehtim_movie", "trace", "trace_curves", "visibility",
+__all__ = ["RAYDATA", "Band", "Error", "Fate", "Fit", "Likelihood", "Observer", "Picture", "Polarisation", "Scene", "Spacetime", "Worldline", "__version__", "capture",
+           "deflection", "fate_name", "fit", "forget_session", "gradient", "likelihood", "observe", "raydata", "scene", "scenes", "to_ehtim", "to_ehtim_movie", "trace", "trace_curves", "visibility",
            "worldline"]
 
 _assets = _Path(__file__).resolve().parent / "assets"

@@ -135,8 +135,7 @@ void add_spectrum(Command& parent) {
         "--inner", &options.inner,
         "Inner rim, r_s = 2 GM/c^2, or isco, the innermost stable orbit (default: the scene's, or isco); within "
         "isco matter falls");
-    number_option(command, "--outer", options.outer, 0, kFarthestRim,
-                  "Outer rim, r_s (default: the scene's, or 200)");
+    number_option(command, "--outer", options.outer, 0, kFarthestRim, "Outer rim, r_s (default: the scene's, or 200)");
     number_option(command, "--ring", options.ring, 0, kFarthestRim,
                   "One ring of this radius, r_s, instead of the disc: its profile and the extremes of its g");
     command.add_option(

@@ -39,6 +39,12 @@ class Docs(unittest.TestCase):
         self.assertIn("scene: camera.r: a static camera cannot be at 0.5", said)
         self.assertTrue((self.folder / "kerr.png").read_bytes().startswith(b"\x89PNG"))
 
+    def test_the_page_of_fits(self):
+        blocks = [block for block in code_blocks((support.ROOT / "docs" / "fit.md").read_text()) if "numpyro" not in block]   # that one: scripts/interop.sh samplers
+        self.assertEqual(len(blocks), 1)
+        (self.folder / "page.py").write_text(blocks[0])
+        self.assertIn("nullscope.Fit spacetime.spin", self.run_python("page.py"))
+
     def test_the_examples(self):
         scripts = sorted(EXAMPLES.glob("*.py"))
         self.assertEqual(len(scripts), 3)
