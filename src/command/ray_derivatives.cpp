@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gradient/disc_glow.h"
+#include "gradient/picture_light.h"
 #include "scene/projection.h"
 #include "spacetime/registry.h"
 
@@ -28,11 +30,13 @@ Result<DerivativeTracer> DerivativeTracer::make(const Scene& scene, const std::v
                                                 int crossings) {
     DerivativeTracer tracer;
     TRY(parsed, parse_parameters(parameters, scene));
-    // A metric's numbers that are not given are the registry's.
-    std::map<std::string, double> numbers = scene.spacetime.parameters;
-    if (const MetricEntry* entry = find_metric(scene.spacetime.metric))
-        for (const MetricParameter& parameter : entry->parameters) numbers.emplace(parameter.name, parameter.fallback);
-    TRY(flow, make_flow(scene.spacetime.metric, numbers, scene.spacetime.parameters.formulas));
+    TRY(flow, flow_of(scene.spacetime));
+    if (scene.disc && scene.disc->emission == DiscEmission::kThermal) {
+        TRY(spacetime, make_spacetime(scene.spacetime.metric, scene.spacetime.parameters));
+        if ((*spacetime)->can_have_disc())
+            tracer.motion_ =
+                std::make_shared<DiscMotion>(**flow, sense_of(scene.disc->sense, **flow), scene.disc->lean);
+    }
     tracer.scene_ = scene, tracer.parameters_ = std::move(*parsed), tracer.flow_ = std::move(*flow);
     tracer.crossings_ = crossings;
     return tracer;
@@ -44,7 +48,8 @@ std::vector<std::string> DerivativeTracer::columns() const {
         for (const char* name : {"x", "y", "z", "g", "delay"})
             columns.push_back(fmt::format("d_{}.{}", parameter.name, name));
         for (int k = 1; k <= crossings_; ++k)
-            for (const char* name : {"r", "phi"}) columns.push_back(fmt::format("d_{}.{}_{}", parameter.name, name, k));
+            for (const char* name : {"r", "phi", "g"})
+                if (motion_ || name[0] != 'g') columns.push_back(fmt::format("d_{}.{}_{}", parameter.name, name, k));
     }
     return columns;
 }
@@ -59,6 +64,10 @@ Result<RayDerivatives> DerivativeTracer::derivatives(const RayQuery& ray, const 
     task.time = scene_.time, task.crossings = crossings_;
     const RayGradient found = ray_gradient(*flow_, {ray.r, ray.theta, ray.phi, view}, task);
     RayDerivatives answer{state_of(found, record), {}};
+    std::vector<Number> shifts;
+    if (motion_)
+        for (const RayGradient::Crossing& crossing : found.crossings)
+            shifts.push_back(motion_->g(found.photon, crossing));
     const bool lost = answer.state == DerivativeState::kLost, sky = found.sky && std::isfinite(record.theta_inf);
     const auto put = [&](bool there, double value) { answer.values.push_back(there && !lost ? value : kNotANumber); };
     for (const Parameter& parameter : parameters_) {
@@ -72,6 +81,7 @@ Result<RayDerivatives> DerivativeTracer::derivatives(const RayQuery& ray, const 
                                record.crossings[k].r * flow_->innermost() >= 1 + kAtHorizon;
             put(there, there ? derivative(found.crossings[k].r, by) : 0.0);
             put(there, there ? derivative_of_azimuth(found.crossings[k].phi, by) : 0.0);
+            if (motion_) put(there, there ? derivative(shifts[k], by) : 0.0);
         }
     }
     return answer;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "gradient/disc_motion.h"
 #include "gradient/parameter.h"
 #include "gradient/ray_gradient.h"
 #include "scene/ray.h"
@@ -29,7 +30,7 @@ public:
     // Errors: a metric without derivatives; parse_parameters'.
     static Result<DerivativeTracer> make(const Scene& scene, const std::vector<std::string>& parameters, int crossings);
 
-    // d_NAME.x, .y, .z of the direction on the sky, .g, .delay, and of each crossing .r_k, .phi_k
+    // d_NAME.x, .y, .z of the direction on the sky, .g, .delay, and of each crossing .r_k, .phi_k, of a thermal disc .g_k
     std::vector<std::string> columns() const;
     // record: that of the reference. Errors: a ray of another form than the general one, of an observer that falls. Half a millisecond.
     Result<RayDerivatives> derivatives(const RayQuery& ray, const RayRecord& record) const;
@@ -40,6 +41,7 @@ private:
     Scene scene_;
     std::vector<Parameter> parameters_;
     std::shared_ptr<const Flow> flow_;
+    std::shared_ptr<const DiscMotion> motion_;  // of a disc whose matter has a g
     int crossings_ = 0;
 };
 

@@ -20,13 +20,17 @@ LaunchFrame::LaunchFrame(const Launch& from) : r(Number::variable(from.r, kSeedR
     const double c = std::cos(from.phi), s = std::sin(from.phi);
     outward = {c * sine, s * sine, cosine}, southward = {c * cosine, s * cosine, -sine};
     eastward = {Number(-s), Number(c), Number(0.0)};
-    const auto& [n, aside, across] = from.view;
+    view = from.view;
+}
+
+Triple turning(const LookedAlong& along) {
+    const auto& [n, aside, across] = along;
     const auto part = [](double value, double by_aside, double by_across) {
         Number x(value);
         x.d[kSeedAside] = by_aside, x.d[kSeedAcross] = by_across;
         return x;
     };
-    view = {part(n.x, aside.x, across.x), part(n.y, aside.y, across.y), part(n.z, aside.z, across.z)};
+    return {part(n.x, aside.x, across.x), part(n.y, aside.y, across.y), part(n.z, aside.z, across.z)};
 }
 
 RayState launched(const LaunchFrame& frame, const Number& w, const Number& southward, const Number& eastward) {
@@ -56,7 +60,7 @@ Result<std::unique_ptr<Flow>> make_flow(const std::string& metric, const std::ma
     TRY(spacetime, make_spacetime(metric, given));
     std::map<std::string, std::string> texts = formulas;
     texts.emplace("A", "1 - 1/r");
-    return make_formula_flow(texts, (*spacetime)->horizon_radius().value_or(1e-3));
+    return make_formula_flow(texts, (*spacetime)->horizon_radius());
 }
 
 }  // namespace nullscope

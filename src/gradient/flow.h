@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/result.h"
@@ -28,12 +29,19 @@ struct LookedAlong {
 };
 LookedAlong looked_along(Vec3 n);
 
+using Triple = std::array<Number, 3>;
+// n of unit length, which kSeedAside and kSeedAcross turn.
+Triple turning(const LookedAlong& view);
+
+// view: n as an observer without angular momentum has it, whatever its derivatives.
 struct Launch {
-    double r = 1, theta = 0, phi = 0;
-    LookedAlong view;
+    Launch(double r_, double theta_, double phi_, const LookedAlong& along)
+        : r(r_), theta(theta_), phi(phi_), view(turning(along)) {}
+    Launch(double r_, double theta_, double phi_, Triple view_) : r(r_), theta(theta_), phi(phi_), view(view_) {}
+    double r, theta, phi;
+    Triple view;
 };
 
-using Triple = std::array<Number, 3>;
 inline Number dot(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 enum FlowState { kU, kW, kN, kTurn = kN + 3, kDragged = kTurn + 3, kTime, kFlowStates };  // kN, kTurn: n and n'
@@ -42,6 +50,18 @@ using RayState = std::array<Number, kFlowStates>;
 // Of one ray: what stays the same along it. The photon has frequency 1 in the camera; energy E and momentum L = L_z at infinity.
 struct Photon {
     Number energy, momentum, bent;  // bent: C; about a spherical hole L^2 of its plane
+};
+
+// Of the metric at theta = pi/2 as a function of r, with its first three derivatives by r.
+using OnceBent = Dual<Number, 1>;
+using TwiceBent = Dual<OnceBent, 1>;
+using ThriceBent = Dual<TwiceBent, 1>;
+struct EquatorNumbers {
+    ThriceBent tt, tphi, phiphi;
+};
+// g_tt, ...; elsewhere.
+struct PlaceNumbers {
+    Number tt, tphi, phiphi, thetatheta, rr;
 };
 
 class Flow {
@@ -54,6 +74,10 @@ public:
     virtual RayState slope(const Photon& photon, const RayState& state, bool leaves) const = 0;
     virtual Number radial(const Photon& photon, const Number& u) const = 0;  // U
     virtual double innermost() const = 0;  // u at the horizon, or where to stop looking for one
+    virtual bool has_horizon() const = 0;
+    virtual EquatorNumbers equator(const ThriceBent& r) const = 0;
+    virtual PlaceNumbers place(const Number& r, const Number& cosine) const = 0;
+    virtual Number spin() const { return Number(0.0); }  // a, r_s
 };
 
 // Schwarzschild's, Reissner and Nordstrom's, Kerr's, Kerr and Newman's, flat space and formulas. parameters: of the registry.
@@ -63,7 +87,8 @@ Result<std::unique_ptr<Flow>> make_flow(const std::string& metric, const std::ma
 
 // mass 0: flat space. spin: a/M, charge: Q/M; derivatives by them are by these.
 std::unique_ptr<Flow> make_hole_flow(double mass, double spin, double charge);
-Result<std::unique_ptr<Flow>> make_formula_flow(const std::map<std::string, std::string>& formulas, double horizon);
+Result<std::unique_ptr<Flow>> make_formula_flow(const std::map<std::string, std::string>& formulas,
+                                                std::optional<double> horizon);
 
 // cos(theta), sin(theta) and the frame n, e_theta, e_phi at the launch, of dual theta; v = the view, of dual angles.
 struct LaunchFrame {

@@ -7,11 +7,13 @@
 namespace nullscope {
 namespace {
 
-using Sloped = Dual<Number, 1>;  // by r
+using Sloped = Dual<Number, 1>;          // by r
+constexpr double kInnermostLook = 1e-3;  // r_s, where there is no horizon
 
 class FormulaFlow final : public Flow {
 public:
-    FormulaFlow(MetricFormulas formulas, double horizon) : formulas_(std::move(formulas)), innermost_(1 / horizon) {}
+    FormulaFlow(MetricFormulas formulas, double end, bool has_horizon)
+        : formulas_(std::move(formulas)), innermost_(1 / end), has_horizon_(has_horizon) {}
 
     Photon launch(const Launch& from, RayState& state) const override {
         const LaunchFrame at(from);
@@ -50,6 +52,15 @@ public:
         return photon.energy * photon.energy * p.first - photon.bent * u * u * p.second;
     }
     double innermost() const override { return innermost_; }
+    bool has_horizon() const override { return has_horizon_; }
+    EquatorNumbers equator(const ThriceBent& r) const override {
+        const ThriceBent across = formulas_.areal_radius(r);
+        return {-formulas_.lapse2(r), ThriceBent(0.0), across * across};
+    }
+    PlaceNumbers place(const Number& r, const Number& cosine) const override {
+        const Number across = formulas_.areal_radius(r), across2 = across * across;
+        return {-formulas_.lapse2(r), Number(0.0), across2 * (1.0 - cosine * cosine), across2, formulas_.stretch2(r)};
+    }
 
 private:
     // Of r: U = E^2 first - J^2 u^2 second. Where B is 1/A and R is r these are 1 and A to the last digit, far out too.
@@ -67,13 +78,16 @@ private:
     };
     MetricFormulas formulas_;
     double innermost_;
+    bool has_horizon_;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<Flow>> make_formula_flow(const std::map<std::string, std::string>& formulas, double horizon) {
+Result<std::unique_ptr<Flow>> make_formula_flow(const std::map<std::string, std::string>& formulas,
+                                                std::optional<double> horizon) {
     TRY(parsed, MetricFormulas::parse(formulas));
-    return std::unique_ptr<Flow>(std::make_unique<FormulaFlow>(std::move(*parsed), horizon));
+    return std::unique_ptr<Flow>(
+        std::make_unique<FormulaFlow>(std::move(*parsed), horizon.value_or(kInnermostLook), horizon.has_value()));
 }
 
 }  // namespace nullscope

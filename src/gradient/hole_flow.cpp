@@ -57,10 +57,28 @@ public:
     }
     double innermost() const override {
         const double root = mass2_ * mass2_ - 4 * both2_.value;
-        return root < 0 || mass2_ == 0 ? 1e3 : 2 / (mass2_ + std::sqrt(root));
+        return has_horizon() ? 2 / (mass2_ + std::sqrt(root)) : 1e3;
+    }
+    bool has_horizon() const override { return mass2_ != 0 && mass2_ * mass2_ >= 4 * both2_.value; }
+    Number spin() const override { return a_; }
+    // pull = 2 m(r)/r, 2 m(r) r = 2 M r - Q^2
+    EquatorNumbers equator(const ThriceBent& r) const override {
+        const ThriceBent a = bent(a_), pull = (mass2_ * r - bent(charge2_)) / (r * r);
+        return {pull - 1.0, -(a * pull), r * r + a * a * (1.0 + pull)};
+    }
+    PlaceNumbers place(const Number& r, const Number& cosine) const override {
+        const Number r2 = r * r, a2 = a_ * a_, sine2 = 1.0 - cosine * cosine, sigma = r2 + a2 * cosine * cosine;
+        const Number pull = (mass2_ * r - charge2_) / sigma;
+        return {pull - 1.0, -(a_ * pull * sine2), (r2 + a2 + a2 * sine2 * pull) * sine2, sigma,
+                sigma / (r2 + a2 - mass2_ * r + charge2_)};
     }
 
 private:
+    static ThriceBent bent(const Number& x) {
+        ThriceBent constant;
+        constant.value.value.value = x;
+        return constant;
+    }
     struct Parts {
         Number d, d_slope, bend, x, carter;
         Parts(const HoleFlow& hole, const Photon& photon, const Number& u) {

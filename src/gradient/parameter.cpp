@@ -14,12 +14,36 @@
 namespace nullscope {
 namespace {
 
-constexpr std::array<std::string_view, 12> kNames = {
-    "spacetime.spin", "spacetime.charge", "camera.r",   "camera.theta", "camera.phi", "camera.yaw",
-    "camera.pitch",   "camera.roll",      "camera.fov", "disc.tilt",    "disc.node",  "disc.precession"};
+// In the order of ParameterKind; the first kOfRays also of rays.
+constexpr std::array<std::string_view, 21> kNames = {"spacetime.spin",
+                                                     "spacetime.charge",
+                                                     "camera.r",
+                                                     "camera.theta",
+                                                     "camera.phi",
+                                                     "camera.yaw",
+                                                     "camera.pitch",
+                                                     "camera.roll",
+                                                     "camera.fov",
+                                                     "disc.tilt",
+                                                     "disc.node",
+                                                     "disc.precession",
+                                                     "camera.velocity_r",
+                                                     "camera.velocity_theta",
+                                                     "camera.velocity_phi",
+                                                     "disc.inner",
+                                                     "disc.outer",
+                                                     "disc.temperature",
+                                                     "disc.powers",
+                                                     "disc.opacity",
+                                                     "disc.brightness"};
+constexpr std::size_t kOfRays = 12;
 constexpr std::string_view kSpacetime = "spacetime.";
 
 bool is_there(std::string_view name, const Scene& scene) {
+    if (name == "disc.temperature") return scene.disc && !scene.disc->accretion;
+    if (name == "disc.powers")
+        return scene.disc && scene.disc->emissivity.by == Emissivity::kPowerLaw &&
+               scene.disc->emissivity.breaks.empty();
     if (name.starts_with("disc.")) return scene.disc.has_value();
     if (name == "camera.fov") return scene.camera.projection == Projection::kPinhole;
     if (!name.starts_with(kSpacetime)) return true;
@@ -45,15 +69,21 @@ Vec3 widened(Vec3 n, const CameraSpec& camera) {
 
 }  // namespace
 
-std::vector<std::string_view> parameter_names(const Scene& scene) {
+int velocity_axis(ParameterKind kind) {
+    const int axis = static_cast<int>(kind) - static_cast<int>(ParameterKind::kVelocityR);
+    return axis >= 0 && axis < 3 ? axis : -1;
+}
+
+std::vector<std::string_view> parameter_names(const Scene& scene, DerivativesOf of) {
     std::vector<std::string_view> names;
-    std::ranges::copy_if(kNames, std::back_inserter(names),
-                         [&](std::string_view name) { return is_there(name, scene); });
+    for (std::size_t i = 0; i < (of == DerivativesOf::kRays ? kOfRays : kNames.size()); ++i)
+        if (is_there(kNames[i], scene)) names.push_back(kNames[i]);
     return names;
 }
 
-Result<std::vector<Parameter>> parse_parameters(const std::vector<std::string>& names, const Scene& scene) {
-    const std::vector<std::string_view> known = parameter_names(scene);
+Result<std::vector<Parameter>> parse_parameters(const std::vector<std::string>& names, const Scene& scene,
+                                                DerivativesOf of) {
+    const std::vector<std::string_view> known = parameter_names(scene, of);
     std::vector<Parameter> parameters;
     for (const std::string& name : names) {
         const auto is_it = [&](std::string_view key) { return key == name || key == std::string(kSpacetime) + name; };
@@ -72,9 +102,9 @@ Result<std::vector<Parameter>> parse_parameters(const std::vector<std::string>& 
 // Turns as observer/pose.h has them: yaw about the local e_theta, pitch about the right axis after that, roll about the line of sight.
 Change change_by(ParameterKind kind, const LookedAlong& view, const Scene& scene) {
     const CameraSpec& camera = scene.camera;
-    const auto seed = [](Seed of, double by = 1) {
+    const auto seed = [](int of, double by = 1) {
         Change change;
-        change.seeds[of] = by;
+        change.seeds[static_cast<std::size_t>(of)] = by;
         return change;
     };
     switch (kind) {
@@ -84,7 +114,7 @@ Change change_by(ParameterKind kind, const LookedAlong& view, const Scene& scene
         case ParameterKind::kTheta: return seed(kSeedTheta);
         case ParameterKind::kPhi: {  // as if the disc turned the other way, and then all
             Change change = seed(kSeedNode, -1);
-            change.turn = 1;
+            change.turn = change.seeds[kSeedTurn] = 1;
             return change;
         }
         case ParameterKind::kYaw: return turned(view, cross(Vec3{0, 1, 0}, view.n));
@@ -95,6 +125,15 @@ Change change_by(ParameterKind kind, const LookedAlong& view, const Scene& scene
         case ParameterKind::kTilt: return seed(kSeedTilt);
         case ParameterKind::kNode: return seed(kSeedNode);
         case ParameterKind::kPrecession: return seed(kSeedNode, scene.time);
+        case ParameterKind::kInner: return seed(kSeedInner);
+        case ParameterKind::kOuter: return seed(kSeedOuter);
+        case ParameterKind::kTemperature: return seed(kSeedTemperature);
+        case ParameterKind::kPowers: return seed(kSeedPowers);
+        case ParameterKind::kOpacity: return seed(kSeedOpacity);
+        case ParameterKind::kBrightness: return seed(kSeedBrightness);
+        case ParameterKind::kVelocityR:
+        case ParameterKind::kVelocityTheta:
+        case ParameterKind::kVelocityPhi: break;
     }
     return {};
 }

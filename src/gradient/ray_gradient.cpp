@@ -8,7 +8,6 @@
 namespace nullscope {
 namespace {
 
-constexpr double kTolerance = 1e-12;   // of a step, values and derivatives
 constexpr double kNearHorizon = 1e-3;  // of a step next to the horizon, over that of others
 constexpr double kOrder = 13.0;        // of the error that steps are chosen by
 constexpr double kFirstStep = 0.1;     // of u and of the angle
@@ -38,7 +37,7 @@ public:
         add(kU, 1, 0, std::clamp(1 - end[kU].value / innermost, kNearHorizon, 1.0)), add(kW, 1, energy), add(kN, 3, 0),
             add(kTurn, 3, energy), add(kDragged, 1, 1), add(kTime, 1, 1);
     }
-    double value() const { return worst_ / kTolerance; }
+    double over(double tolerance) const { return worst_ / tolerance; }
 
 private:
     void add(std::size_t first, std::size_t count, double least, double share = 1) {
@@ -70,26 +69,49 @@ RayState moved(const RayState& s, const RayState& rate, const Number& by) {
     return there;
 }
 
-Triple normal_of(const DiscLean& lean, double time) {
-    const Number tilt = Number::variable(lean.tilt, kSeedTilt);
-    const Number node = Number::variable(lean.node + lean.precession * time, kSeedNode);
-    const Number up = sin(tilt);
-    return {up * sin(node), -(up * cos(node)), cos(tilt)};
+Number azimuth_of(const Number& x, const Number& y) {
+    const double flat2 = x.value * x.value + y.value * y.value;
+    Number phi(std::atan2(y.value, x.value));
+    for (std::size_t i = 0; i < kSeeds; ++i) phi.d[i] = (x.value * y.d[i] - y.value * x.d[i]) / flat2;
+    return phi;
+}
+
+// As scene/disc_plane.h has it.
+struct Plane {
+    Triple x, y, normal;
+    Plane(const DiscLean& lean, double time) {
+        const Number tilt = Number::variable(lean.tilt, kSeedTilt);
+        const Number node = Number::variable(lean.node + lean.precession * time, kSeedNode);
+        const Number up = sin(tilt), c = cos(node), s = sin(node), half = sin(0.5 * tilt), less = 2.0 * half * half;
+        x = {1.0 - s * s * less, s * c * less, -(s * up)};
+        y = {s * c * less, 1.0 - c * c * less, c * up};
+        normal = {up * s, -(up * c), cos(tilt)};
+    }
+};
+
+Triple vector_product(const Triple& a, const Triple& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 class Tracer {
 public:
     Tracer(const Flow& flow, const Launch& from, const GradientTask& task)
-        : flow_(flow), task_(task), normal_(normal_of(task.lean, task.time)) {
+        : flow_(flow), task_(task), plane_(task.lean, task.time) {
         photon_ = flow.launch(from, here_);
         height_ = height(here_);
-        if (std::fabs(height_) < kInPlane) height_ = dot(normal_, speed(here_, slope(here_))).value;
+        if (std::fabs(height_) < kInPlane) height_ = dot(plane_.normal, speed(here_, slope(here_))).value;
         if (std::fabs(height_) < kInPlane) task_.crossings = 0;  // it stays in the plane
     }
 
-    RayGradient traced() {
-        found_.g = 1.0 / photon_.energy;
+    RayGradient surveyed() {
+        found_.g = 1.0 / photon_.energy, found_.photon = photon_;
         survey();
+        found_.falls_in = falls_;
+        return std::move(found_);
+    }
+
+    RayGradient traced() {
+        found_ = surveyed();
         const double turn = std::sqrt(squared_turn()), u = here_[kU].value;
         const double first = kFirstStep / (turn + std::fabs(here_[kW].value) / u);
         double length = first;
@@ -98,7 +120,8 @@ public:
             length = std::min(length, longest);
             const RayState rate = slope(here_);
             const auto [end, less_exact] = step(rate, length);
-            const double error = StepError(end, less_exact, photon_.energy.value, flow_.innermost()).value();
+            const double error =
+                StepError(end, less_exact, photon_.energy.value, flow_.innermost()).over(task_.tolerance);
             const bool within = end[kU].value < flow_.innermost();
             if (error <= 1 && within && end[kU].value > 0) {
                 take(end, rate, length);
@@ -133,11 +156,13 @@ private:
         const double turn = kLongestTurn / std::sqrt(std::max(squared_turn(), 1e-300));
         return here_[kW].value < 0 ? std::min(turn, kShare * here_[kU].value / -here_[kW].value) : turn;
     }
-    double height(const RayState& s) const { return dot(normal_, place_of(s)).value; }
+    double height(const RayState& s) const { return dot(plane_.normal, place_of(s)).value; }
     void survey();
     bool done() const {
         const bool all = static_cast<int>(found_.crossings.size()) >= task_.crossings;
-        return at_sky() || (falls_ && (all || here_[kU].value > kNearest * flow_.innermost()));
+        return at_sky() || (here_[kW].value < 0 && here_[kU].value * task_.farthest < 1) ||
+               (falls_ &&
+                (all || here_[kU].value > kNearest * flow_.innermost() || here_[kU].value * task_.nearest > 1));
     }
 
     void take(const RayState& end, const RayState& rate, double length) {
@@ -153,23 +178,23 @@ private:
         RayState there = here_;
         for (int tries = 0; tries < kMostTries; ++tries) {
             there = stepped(rate, at);
-            const double now = height(there), move = -now / dot(normal_, speed(there, slope(there))).value;
+            const double now = height(there), move = -now / dot(plane_.normal, speed(there, slope(there))).value;
             if (std::fabs(move) < kAtCrossing * length) break;
             ((now > 0) == (after > 0) ? high : low) = at;
             at = at + move > low && at + move < high ? at + move : 0.5 * (low + high);
         }
         for (int newton = 0; newton < 2; ++newton) there = on_plane(there);
         const Triple place = place_of(there);
-        Number phi(std::atan2(place[1].value, place[0].value));
-        const double flat2 = place[0].value * place[0].value + place[1].value * place[1].value;
-        for (std::size_t i = 0; i < kSeeds; ++i)
-            phi.d[i] = (place[0].value * place[1].d[i] - place[1].value * place[0].d[i]) / flat2;
-        found_.crossings.push_back({1.0 / there[kU], phi});
+        RayState turn = there;
+        for (std::size_t i = 0; i < 3; ++i) turn[kN + i] = there[kTurn + i];
+        found_.crossings.push_back({1.0 / there[kU], azimuth_of(place[0], place[1]),
+                                    azimuth_of(dot(plane_.x, place), dot(plane_.y, place)), there[kW],
+                                    -dot(plane_.normal, vector_product(place, place_of(turn))), place[2]});
     }
 
     RayState on_plane(const RayState& s) const {
         const RayState rate = slope(s);
-        return moved(s, rate, -(dot(normal_, place_of(s)) / dot(normal_, speed(s, rate))));
+        return moved(s, rate, -(dot(plane_.normal, place_of(s)) / dot(plane_.normal, speed(s, rate))));
     }
     // Of place_of.
     static Triple speed(const RayState& s, const RayState& rate) {
@@ -190,7 +215,7 @@ private:
 
     const Flow& flow_;
     GradientTask task_;
-    Triple normal_;
+    Plane plane_;
     Photon photon_;
     RayState here_;
     bool falls_ = false;
@@ -224,9 +249,8 @@ void Tracer::survey() {
         if (here <= before && here <= after) {
             const double u = least_place(value, (i - 1.5) * most / kPlaces, (i + 0.5) * most / kPlaces);
             const Number deepest = flow_.radial(photon_, Number(u));
-            found_.off_critical =
-                std::min(found_.off_critical,
-                         std::fabs(deepest.value) / std::hypot(deepest.d[kSeedAside], deepest.d[kSeedAcross]));
+            const double off = std::fabs(deepest.value) / std::hypot(deepest.d[kSeedAside], deepest.d[kSeedAcross]);
+            if (off < found_.off_critical) found_.off_critical = off, found_.clearance = deepest;
             falls_ = falls_ && (u < from || deepest.value > 0);
         }
         before = here, here = after;
@@ -234,6 +258,8 @@ void Tracer::survey() {
 }
 
 }  // namespace
+
+RayGradient ray_survey(const Flow& flow, const Launch& from) { return Tracer(flow, from, {}).surveyed(); }
 
 RayGradient ray_gradient(const Flow& flow, const Launch& from, const GradientTask& task) {
     return Tracer(flow, from, task).traced();

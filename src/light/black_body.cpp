@@ -29,16 +29,34 @@ std::array<PlanckTerm, kCie1931.size()> planck_terms() {
     return terms;
 }
 
+const std::array<PlanckTerm, kCie1931.size()>& known_terms() {
+    static const std::array<PlanckTerm, kCie1931.size()> terms = planck_terms();
+    return terms;
+}
+
 }  // namespace
 
 Vec3 black_body_xyz(double temperature_K) {
-    static const std::array<PlanckTerm, kCie1931.size()> terms = planck_terms();
+    const std::array<PlanckTerm, kCie1931.size()>& terms = known_terms();
     Vec3 sum{0, 0, 0};
     for (std::size_t i = 0; i < terms.size(); ++i) {
         const double radiance = terms[i].scale / std::expm1(kPlanckLight / (terms[i].heat * temperature_K));
         sum = sum + radiance * Vec3{kCie1931[i].x, kCie1931[i].y, kCie1931[i].z};
     }
     return 1e-9 * kCieStep_nm * sum;
+}
+
+// d/dT of scale/(e^x - 1), x = hc/(heat T): scale x/T (1 + 1/(e^x - 1))/(e^x - 1).
+BlackBodySlope black_body_slope(double temperature_K) {
+    const std::array<PlanckTerm, kCie1931.size()>& terms = known_terms();
+    BlackBodySlope sum;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        const double x = kPlanckLight / (terms[i].heat * temperature_K), share = 1 / std::expm1(x);
+        const Vec3 radiance = terms[i].scale * share * Vec3{kCie1931[i].x, kCie1931[i].y, kCie1931[i].z};
+        sum.xyz = sum.xyz + radiance, sum.slope = sum.slope + x / temperature_K * (1 + share) * radiance;
+    }
+    constexpr double kWidth = 1e-9 * kCieStep_nm;
+    return {kWidth * sum.xyz, kWidth * sum.slope};
 }
 
 Vec3 rec709_from_xyz(Vec3 c) {

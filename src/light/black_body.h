@@ -12,6 +12,12 @@ namespace nullscope {
 // steps leave chromaticities within 1e-4 of the integral. About a microsecond.
 Vec3 black_body_xyz(double temperature_K);
 
+// The same and its derivative by the temperature, 1/K of it.
+struct BlackBodySlope {
+    Vec3 xyz, slope;
+};
+BlackBodySlope black_body_slope(double temperature_K);
+
 // Linear light in the primaries of Rec. 709 with white at D65 (IEC 61966-2-1); components may be negative: colours outside of
 // its gamut, such as black bodies below 1 900 K.
 Vec3 rec709_from_xyz(Vec3 xyz);

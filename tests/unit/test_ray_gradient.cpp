@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <random>
 
+#include "gradient/disc_motion.h"
 #include "gradient/parameter.h"
 #include "gradient/ray_gradient.h"
 #include "observer/pose.h"
+#include "reference/disc_light.h"
+#include "reference/metric.h"
 #include "reference/reference.h"
 #include "scene/projection.h"
 #include "support/depth.h"
@@ -20,7 +25,7 @@ using namespace nullscope;
 constexpr int kAskedCrossings = 2;
 constexpr double kPixel = 1e-3;       // rad, of a picture of some thousand
 constexpr double kNearEdge = 0.1;     // of a pixel, from the critical curve
-constexpr double kWidestStep = 2e-3;  // of differences, where nothing is near
+constexpr double kWidestStep = 1e-3;  // of differences, where nothing is near
 constexpr double kBound = 1e-6;       // of the derivative or
 constexpr double kLeastSize = 0.1;    // of this, in radii, times and directions by rad, r_s or 1
 constexpr double kSameValue = 1e-9;
@@ -35,7 +40,7 @@ Scene scene_of(const GradientCase& of, std::mt19937_64& random) {
     std::uniform_real_distribution<double> angle(-1.0, 1.0);
     Scene scene;
     scene.spacetime = {of.metric, of.parameters};
-    scene.disc = DiscSpec{.opacity = 0.5};
+    scene.disc = DiscSpec{.opacity = 0.5, .emission = DiscEmission::kThermal};
     scene.disc->lean = {0.4, 0.5, 0.01};
     scene.time = 30.0;
     scene.camera.yaw = angle(random), scene.camera.pitch = 0.4 * angle(random), scene.camera.roll = angle(random);
@@ -54,22 +59,40 @@ RayQuery ray_of(const GradientCase& of, std::mt19937_64& random) {
 }
 
 // What trace prints; not a number where there is none.
-constexpr std::size_t kValues = 5 + 2 * kAskedCrossings;
+constexpr std::size_t kRayValues = 5, kOfCrossing = 3;
+constexpr std::size_t kValues = kRayValues + kOfCrossing * kAskedCrossings;
 using Values = std::array<double, kValues>;
-constexpr std::array<const char*, kValues> kValueNames = {"x", "y", "z", "g", "delay", "r_1", "phi_1", "r_2", "phi_2"};
+constexpr std::array<const char*, kValues> kValueNames = {"x",     "y",   "z",   "g",     "delay", "r_1",
+                                                          "phi_1", "g_1", "r_2", "phi_2", "g_2"};
 
-Values reference_values(const Scene& scene, const RayQuery& ray) {
-    const auto record = reference::trace_ray(scene, ray, kAskedCrossings);
+// The reference's matter of the disc, which gives crossings their g.
+class KnownMatter {
+public:
+    explicit KnownMatter(const Scene& scene) : metric_(std::move(*reference::make_metric(scene.spacetime))) {
+        DiscSpec disc = *scene.disc;
+        disc.outer = 1e-2, disc.inner = 1e-3;  // no table of its heat is made
+        light_ = std::make_unique<reference::DiscLight>(*metric_, disc, scene.light);
+    }
+    const reference::DiscLight& light() const { return *light_; }
+
+private:
+    std::unique_ptr<reference::Metric> metric_;
+    std::unique_ptr<reference::DiscLight> light_;
+};
+
+Values reference_values(const Scene& scene, const RayQuery& ray, const KnownMatter& matter) {
+    const auto record = reference::trace_ray(scene, ray, kAskedCrossings, &matter.light());
     REQUIRE(record);
     Values v;
     v.fill(kNotANumber);
     v[0] = record->sky.x, v[1] = record->sky.y, v[2] = record->sky.z, v[3] = record->g, v[4] = record->delay;
     for (std::size_t k = 0; k < std::min<std::size_t>(kAskedCrossings, record->crossings.size()); ++k)
-        v[5 + 2 * k] = record->crossings[k].r, v[6 + 2 * k] = record->crossings[k].phi;
+        v[5 + 3 * k] = record->crossings[k].r, v[6 + 3 * k] = record->crossings[k].phi,
+                  v[7 + 3 * k] = record->crossings[k].g;
     return v;
 }
 
-Values values_of(const RayGradient& ray) {
+Values values_of(const RayGradient& ray, const DiscMotion& motion) {
     Values v;
     v.fill(kNotANumber);
     v[3] = ray.g.value;
@@ -78,11 +101,12 @@ Values values_of(const RayGradient& ray) {
         v[4] = ray.sky->delay.value;
     }
     for (std::size_t k = 0; k < ray.crossings.size(); ++k)
-        v[5 + 2 * k] = ray.crossings[k].r.value, v[6 + 2 * k] = ray.crossings[k].phi.value;
+        v[5 + 3 * k] = ray.crossings[k].r.value, v[6 + 3 * k] = ray.crossings[k].phi.value,
+                  v[7 + 3 * k] = motion.g(ray.photon, ray.crossings[k]).value;
     return v;
 }
 
-Values derivatives(const RayGradient& ray, const Change& by) {
+Values derivatives(const RayGradient& ray, const DiscMotion& motion, const Change& by) {
     Values v;
     v.fill(kNotANumber);
     v[3] = derivative(ray.g, by);
@@ -91,8 +115,9 @@ Values derivatives(const RayGradient& ray, const Change& by) {
         v[0] = sky.x, v[1] = sky.y, v[2] = sky.z, v[4] = derivative(ray.sky->delay, by);
     }
     for (std::size_t k = 0; k < ray.crossings.size(); ++k)
-        v[5 + 2 * k] = derivative(ray.crossings[k].r, by),
-                  v[6 + 2 * k] = derivative_of_azimuth(ray.crossings[k].phi, by);
+        v[5 + 3 * k] = derivative(ray.crossings[k].r, by),
+                  v[6 + 3 * k] = derivative_of_azimuth(ray.crossings[k].phi, by),
+                  v[7 + 3 * k] = derivative(motion.g(ray.photon, ray.crossings[k]), by);
     return v;
 }
 
@@ -119,20 +144,27 @@ void change(ParameterKind kind, double by, Scene& scene, RayQuery& ray) {
         case ParameterKind::kTilt: scene.disc->lean.tilt += by; return;
         case ParameterKind::kNode: scene.disc->lean.node += by; return;
         case ParameterKind::kPrecession: scene.disc->lean.precession += by / scene.time; return;
+        default: REQUIRE_MESSAGE(false, "a key of light alone"); return;
     }
     ray.n = normalized(static_from_camera(scene.camera) * own);
+}
+
+bool changes_matter(ParameterKind kind) {
+    return kind == ParameterKind::kSpin || kind == ParameterKind::kCharge || kind == ParameterKind::kTilt;
 }
 
 struct Judged {
     double value = 0, error = 0;
 };
 
-Values differences(ParameterKind kind, double step, const Scene& scene, const RayQuery& ray) {
+Values differences(ParameterKind kind, double step, const Scene& scene, const RayQuery& ray,
+                   const KnownMatter& matter) {
     const auto at = [&](double by) {
         Scene other = scene;
         RayQuery moved = ray;
         change(kind, by, other, moved);
-        return reference_values(other, moved);
+        return changes_matter(kind) ? reference_values(other, moved, KnownMatter(other))
+                                    : reference_values(other, moved, matter);
     };
     Values slope = at(step);
     const Values down = at(-step);
@@ -142,9 +174,11 @@ Values differences(ParameterKind kind, double step, const Scene& scene, const Ra
 }
 
 // Differences of steps h, h/2, h/4, extrapolated (L. F. Richardson, Phil. Trans. A 210, 307 (1911)): of order 6. error: of order 4, more than is left.
-std::array<Judged, kValues> judgement(ParameterKind kind, double step, const Scene& scene, const RayQuery& ray) {
-    const Values wide = differences(kind, step, scene, ray), half = differences(kind, step / 2, scene, ray),
-                 fourth = differences(kind, step / 4, scene, ray);
+std::array<Judged, kValues> judgement(ParameterKind kind, double step, const Scene& scene, const RayQuery& ray,
+                                      const KnownMatter& matter) {
+    const Values wide = differences(kind, step, scene, ray, matter),
+                 half = differences(kind, step / 2, scene, ray, matter),
+                 fourth = differences(kind, step / 4, scene, ray, matter);
     std::array<Judged, kValues> judged;
     for (std::size_t i = 0; i < kValues; ++i) {
         const double first = (4 * half[i] - wide[i]) / 3, second = (4 * fourth[i] - half[i]) / 3;
@@ -162,13 +196,13 @@ struct Tally {
 // Next to the horizon rays cross a leaning plane without end.
 bool leave_out_next_to_horizon(Values& known, double horizon) {
     bool any = false;
-    for (std::size_t k = 5; k < kValues; k += 2)
-        if (known[k] < (1 + 1e-5) * horizon) known[k] = known[k + 1] = kNotANumber, any = true;
+    for (std::size_t k = kRayValues; k < kValues; k += kOfCrossing)
+        if (known[k] < (1 + 1e-5) * horizon) known[k] = known[k + 1] = known[k + 2] = kNotANumber, any = true;
     return any;
 }
 
 bool same_values(const Values& own, const Values& known) {
-    for (const std::size_t i : {0, 1, 2, 3, 4, 5, 7})  // azimuths of crossings are compared by their derivatives
+    for (const std::size_t i : {0, 1, 2, 3, 4, 5, 7, 8, 10})  // azimuths of crossings are compared by their derivatives
         if (std::isfinite(known[i]) &&
             !(std::fabs(own[i] - known[i]) < kSameValue * std::max(1.0, std::fabs(known[i]))))
             return false;
@@ -198,8 +232,11 @@ Tally tally_of(const GradientCase& of, int rays, std::size_t parameters) {
     std::mt19937_64 random(7);
     const auto flow = make_flow(of.metric, of.parameters, of.parameters.formulas);
     REQUIRE(flow);
+    std::optional<DiscMotion> motion;
+    std::optional<KnownMatter> matter;
     for (; tally.rays < rays; ++tally.rays) {
         const Scene scene = scene_of(of, random);
+        if (!motion) motion.emplace(**flow, 1.0, scene.disc->lean), matter.emplace(scene);  // of all rays
         const RayQuery ray = ray_of(of, random);
         const LookedAlong view = looked_along(ray.n);
         const RayGradient found =
@@ -208,16 +245,16 @@ Tally tally_of(const GradientCase& of, int rays, std::size_t parameters) {
             ++tally.near_edge;
             continue;
         }
-        Values known = reference_values(scene, ray);
+        Values known = reference_values(scene, ray, *matter);
         if (leave_out_next_to_horizon(known, 1 / (*flow)->innermost())) ++tally.at_horizon;
-        if (!same_values(values_of(found), known)) ++tally.lost;
+        if (!same_values(values_of(found, *motion), known)) ++tally.lost;
         const auto names = parameter_names(scene);
         for (std::size_t n = 0; n < std::min(parameters, names.size()); ++n) {
             const std::string name(names[(n + parameters * static_cast<std::size_t>(tally.rays)) % names.size()]);
             const ParameterKind kind = (*parse_parameters({name}, scene))[0].kind;
             compare(kind, fmt::format("{} ray {} {}", of.metric, tally.rays, name), known,
-                    derivatives(found, change_by(kind, view, scene)),
-                    judgement(kind, std::min(kWidestStep, 0.02 * found.off_critical), scene, ray), tally);
+                    derivatives(found, *motion, change_by(kind, view, scene)),
+                    judgement(kind, std::min(kWidestStep, 0.02 * found.off_critical), scene, ray, *matter), tally);
         }
     }
     return tally;
