@@ -10,6 +10,7 @@ NB_MODULE(_core, m) {
     using namespace nullscope;
     using namespace nullscope::python;
     m.doc() = "The compiled part of nullscope.";
+    nb::set_leak_warnings(false);  // JAX keeps what its callbacks hold beyond the end
     m.attr("__version__") = NULLSCOPE_VERSION;
     nb::exception<Refused>(m, "Error", PyExc_ValueError).attr("__doc__") =
         "Bad input, or what could not be done: one line, as the command line says it.";
