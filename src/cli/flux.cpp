@@ -1,4 +1,4 @@
-// nullscope flux: the flux density of a scene's matter, and the density of matter at which it has a given one.
+// nullscope flux: the flux density of a scene's matter, and the density of matter at which it has a given one; the derivatives of a disc's flux.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/text.h"
 #include "cli/command.h"
 #include "command/arguments.h"
 #include "command/capture_picture.h"
+#include "command/flux_derivatives.h"
 #include "command/session.h"
 #include "command/sky_light.h"
 #include "plan/medium_model.h"
@@ -34,6 +36,8 @@ struct FluxOptions {
     std::optional<double> target;  // Jy
     std::optional<int> samples;    // reference alone
     double tolerance = 1e-4;       // relative to target
+    std::string derivatives;       // keys, with commas between
+    double error = 1e-3;           // of these, relative
 };
 
 // The flux at densities of the scene's matter; each picture's is reported on standard error.
@@ -157,8 +161,23 @@ Status check(const FluxOptions& options, const Scene& scene) {
     return check_samples_of_reference(options.renderer, options.samples.has_value());
 }
 
+Status run_derivatives(const FluxOptions& options, const Scene& scene) {
+    if (options.target) return bad_input("--derivatives: not with --target", "one of them");
+    if (!options.output.empty()) return bad_input("-o: the scene is as it was", "with --target");
+    const auto table = flux_derivatives(scene, split(options.derivatives, ','), options.error);
+    if (!table) {
+        Error error = table.error();
+        if (error.key.empty()) error.what = "--derivatives: " + error.what;
+        return error;
+    }
+    for (const std::string& note : table->notes) fmt::print(stderr, "{}\n", note);
+    fmt::print("{}", flux_csv(*table));
+    return Done{};
+}
+
 Status run_flux(const FluxOptions& options) {
     TRY(scene, asked_scene(options));
+    if (!options.derivatives.empty()) return run_derivatives(options, *scene);
     TRY(good, check(options, *scene));
     std::optional<Session> session;
     if (options.renderer == "gl") {
@@ -182,16 +201,25 @@ Status run_flux(const FluxOptions& options) {
 
 void add_flux(Command& parent) {
     auto [command, options] = add_command<FluxOptions>(
-        parent, "flux", "Flux density (Jy) of a scene's matter; with --target, the density at which it has that one",
+        parent, "flux",
+        "Flux density (Jy) of a scene's matter; with --target, the density at which it has that one; with "
+        "--derivatives, how a disc's flux changes",
         run_flux);
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene, whose only light is matter's at one frequency, about "
-                    "an object of known mass and distance");
+                    "an object of known mass and distance; with --derivatives one with a thermal disc");
     set_option(command, options.set);
     number_option(command, "--target", options.target, kLeastFlux, kMostFlux,
                   "Flux density to reach, Jy, by medium.density_scale (of a simulation's dump: its unit of mass)");
     number_option(command, "--tolerance", options.tolerance, 1e-6, 0.1,
                   "Relative difference to --target that is enough");
+    command.add_option("--derivatives", &options.derivatives,
+                       "Flux of a thermal disc (luminance of linear light, summed over pixels) and its derivatives by "
+                       "KEY,KEY,... of spin, charge, camera.r, .theta, .phi, .yaw, .pitch, .roll, .fov, .velocity_r, "
+                       "..., disc.inner, .outer, .temperature, .powers, .opacity, .brightness, .tilt, .node, per 1, "
+                       "r_s, rad, c or K, as CSV; the images of rims move with them");
+    number_option(command, "--error", options.error, 1e-5, 0.5,
+                  "With --derivatives: relative error of flux and derivatives that is enough (default 1e-3)");
     command.add_option("-o,--output", &options.output, "With --target: scene file to write, with that density_scale");
     command.add_option("--size", &options.size, "Picture size in pixels, WIDTHxHEIGHT (default: the scene's)");
     renderer_option(command, options.renderer);

@@ -82,6 +82,16 @@ class Derivatives(support.CliTest):
         self.assertEqual((opaque["fate"], opaque["d_camera.r.x"], opaque["derivatives"]), ("hit:disc", "", "yes"))
         self.assertNotEqual(opaque["d_camera.r.r_1"], "")
 
+    def test_redshift_of_the_matter(self):
+        """Of a thermal disc each crossing has its g too. Rays that go on: the reference's own g is known to 1e-12."""
+        scene = HOLE.replace("[disc]", '[disc]\nemission = "thermal"')
+        row, = self.trace(scene.format(spin=0.7), RAYS[:1], "--derivatives", "spin,camera.theta")
+        by_spin = [float(self.trace(scene.format(spin=0.7 + k * STEP), RAYS[:1])[0]["g_1"]) for k in (-2, -1, 1, 2)]
+        theta = RAYS[0][1]
+        by_theta = [float(self.trace(scene.format(spin=0.7), [(RAYS[0][0], theta + k * STEP) + RAYS[0][2:]])[0]["g_1"]) for k in (-2, -1, 1, 2)]
+        for name, (far_down, down, up, far_up) in (("spin", by_spin), ("camera.theta", by_theta)):
+            self.assertAlmostEqual(float(row[f"d_{name}.g_1"]), (8 * (up - down) - (far_up - far_down)) / (12 * STEP), delta=3e-8)
+
     def test_refused(self):
         hole = self.write("scene.toml", HOLE.format(spin=0.7))
         self.write("rays.csv", HEADER + "\n" + ",".join(map(repr, RAYS[0])) + "\n")

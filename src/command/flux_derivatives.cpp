@@ -1,0 +1,36 @@
+#include "command/flux_derivatives.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "gradient/picture_flux.h"
+
+namespace nullscope::cli {
+
+Result<FluxTable> flux_derivatives(const Scene& scene, const std::vector<std::string>& keys, double error) {
+    TRY(light, PictureLight::make(scene, keys));
+    FluxRule rule;
+    rule.tolerance = error;
+    TRY(found, flux_gradient(**light, rule, [](double left) {
+            fmt::print(stderr, "flux with derivatives: within {:.1g} of themselves\n", left);
+        }));
+    FluxTable table;
+    table.rows.push_back({"flux", found->flux, 1, found->flux_error});
+    for (std::size_t i = 0; i < found->by.size(); ++i)
+        table.rows.push_back(
+            {"d_" + (*light)->keys()[i].name, found->by[i], found->by[i] / found->flux, found->by_error[i]});
+    if (scene.disc->material.texture == TextureKind::kGas)
+        table.notes.emplace_back("disc.texture = \"gas\" counts as its mean");
+    if (scene.sky.kind != SkyKind::kBlack) table.notes.emplace_back("the sky's light does not count");
+    return table;
+}
+
+std::string flux_csv(const FluxTable& table) {
+    std::string text = "key,value,relative,error\n";
+    for (const FluxTable::Row& row : table.rows)
+        text += fmt::format("{},{:.9g},{:.9g},{:.2g}\n", row.name, row.value, row.relative, row.error);
+    return text;
+}
+
+}  // namespace nullscope::cli
