@@ -102,7 +102,7 @@ def gradient(scene: SceneLike, rays: np.ndarray | Mapping, parameters: Sequence[
 
     rays: as trace() takes them, of observers at rest. parameters: of "spin", "charge", "camera.r", ... (per rad, r_s or 1). crossings: of the disc's plane.
     Returns a structured array, shape (n,): state ("yes", "edge": within 0.1 px of the scene's camera from the critical curve or a rim, "lost": none), then
-    for each parameter d_NAME.x, .y, .z (of the unit vector towards the sky), .g, .delay (r_s/c), .r_1, .phi_1, ... NaN where a value does not exist.
+    for each parameter d_NAME.x, .y, .z (of the unit vector towards the sky), .g, .delay (r_s/c), .r_1, .phi_1 (and of a thermal disc .g_1), ... NaN where a value does not exist.
     Half a millisecond a ray. Errors: an unknown parameter (with those that are known), a metric without derivatives, a ray of a falling observer.
     """
     given = _scene(scene)

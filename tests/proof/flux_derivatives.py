@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Derivatives of the flux of the scene accretion, its gas even and its sky black, against differences of pictures of 64 x 64 rays a pixel of 32 x 18.
+"""Derivatives of the flux of the scene accretion, its gas even and its sky black, against differences of pictures by the reference.
 
-Usage: flux_derivatives.py PATH-OF-NULLSCOPE [SPIN]    (0 unless given; by the reference, some ten core-minutes; by hand)
+Usage: flux_derivatives.py PATH-OF-NULLSCOPE [SPIN [RAYS]]    (0; RAYS x RAYS rays a pixel of 32 x 18: 64; some ten core-minutes; by hand)
 """
 import csv
 import io
@@ -14,7 +14,9 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
 
-import support
+ARGUMENTS = sys.argv[1:]   # support takes its own of them
+
+import support  # noqa: E402
 
 ACCRETION = Path(__file__).resolve().parents[2] / "assets/scenes/accretion.toml"
 STEPS = {"spin": ("spacetime.spin", 0.02, 1.0), "camera.theta": ("camera.theta", 0.3, math.radians(1))}   # key, step and unit of scene files
@@ -22,7 +24,8 @@ WEIGHTS = {"R": 0.2126390059, "G": 0.7151686788, "B": 0.0721923154}
 
 
 def main():
-    binary, spin = sys.argv[1], float(sys.argv[2]) if len(sys.argv) > 2 else 0.0
+    binary, spin = ARGUMENTS[0], float(ARGUMENTS[1]) if len(ARGUMENTS) > 1 else 0.0
+    size = int(ARGUMENTS[2]) // 16 if len(ARGUMENTS) > 2 else 4
     text = re.sub(r'\[sky\].*?\n\n', '[sky]\nkind = "black"\n\n', ACCRETION.read_text(), flags=re.S)
     text = text.replace('texture = "gas"', 'texture = "plain"').replace('flow = "kepler"\n', "").replace("gas_winding = 3.0\n", "")
     base = {"spacetime.spin": spin, "camera.theta": 81.0}
@@ -35,9 +38,9 @@ def main():
             return subprocess.run([binary, command, scene, *sets, *options], check=True, capture_output=True, text=True).stdout
 
         def flux(values):
-            run("capture", values, "--renderer", "reference", "--size", "128x72", "--samples", "16", "-o", picture)
+            run("capture", values, "--renderer", "reference", "--size", f"{32 * size}x{18 * size}", "--samples", "16", "-o", picture)
             channels = support.read_exr(Path(picture).read_bytes())
-            return sum(weight * sum(map(sum, channels[name])) for name, weight in WEIGHTS.items()) / 16
+            return sum(weight * sum(map(sum, channels[name])) for name, weight in WEIGHTS.items()) / size ** 2
 
         rows = csv.DictReader(io.StringIO(run("flux", base, "--size", "32x18", "--derivatives", ",".join(STEPS))))
         found = {row["key"]: float(row["value"]) for row in rows}
