@@ -90,13 +90,17 @@ Renderer::Drawing begin_drawing() {
 // What follows the last pass of a drawing; whether another begins.
 bool end_drawing() {
     painting->drawing.reset();
-    const CameraSpec& camera = painting->scene.camera;
     if (split) {
-        const gl::Target& from = drawn.at(painting->half);
-        gl::blit(from.colours.front().id(), from.width, from.height, 0, from.width, from.height,
-                 painting->half == 0 ? 0 : split->left.camera.width);
-        return ++painting->half < drawn.size();
+        if (++painting->half < drawn.size()) return true;
+        // Both at once, so that no half of a picture is shown between turns.
+        int x = 0;
+        for (const gl::Target& from : drawn) {
+            gl::blit(from.colours.front().id(), from.width, from.height, 0, from.width, from.height, x);
+            x += from.width;
+        }
+        return false;
     }
+    const CameraSpec& camera = painting->scene.camera;
     if (painting->lines) {
         viewer::lay_streamlines(*renderer, painting->scene, under_lines);
         gl::blit(under_lines.colours.front().id(), camera.width, camera.height, 0, camera.width, camera.height);
