@@ -339,7 +339,7 @@ MUTANTS = [Mutant(*row) for row in [
     ("matrix-kind", "no hot spots in fisheyes", "shaders/object/spot.glsl",
      "if (profile < 1.0e-6)", "if (profile < 1.0e-6 || frame.projection.x == 1.0)", MATRIX),
     ("gradient-place", "derivatives of crossings at a fixed time of Mino's, not in the plane", "src/gradient/ray_gradient.cpp",
-     "-(dot(normal_, place_of(s)) / dot(normal_, speed(s, rate)))", "Number(-(dot(normal_, place_of(s)) / dot(normal_, speed(s, rate))).value)", GRADIENT),
+     "-(dot(plane_.normal, place_of(s)) / dot(plane_.normal, speed(s, rate)))", "Number(-(dot(plane_.normal, place_of(s)) / dot(plane_.normal, speed(s, rate))).value)", GRADIENT),
     ("gradient-chain", "a division without the derivative of what it is by", "src/gradient/dual.h",
      "(a.d[i] - x.value * b.d[i]) / b.value", "a.d[i] / b.value", GRADIENT),
     ("fit-flux", "the scale that fits best is its inverse", "src/fit/problem.cpp",
