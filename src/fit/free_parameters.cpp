@@ -64,7 +64,7 @@ Result<std::vector<FreeParameter>> parse_free(const std::string& words) {
     return free;
 }
 
-Result<SceneFamily> SceneFamily::open(std::string scene, std::vector<std::string> set,
+Result<SceneFamily> SceneFamily::open(std::string scene, const std::vector<std::string>& set,
                                       std::vector<FreeParameter> free) {
     TRY(overrides, parse_overrides(set));
     TRY(as_it_is, load_scene(scene, note_on_terminal, *overrides));

@@ -29,7 +29,8 @@ class SceneFamily {
 public:
     // scene: a file, or the name of one that ships; set: words of --set. Errors: those of the scene; a key that the scene cannot have, that is no
     // number, or whose range is not within the key's own, said of --free.
-    static Result<SceneFamily> open(std::string scene, std::vector<std::string> set, std::vector<FreeParameter> free);
+    static Result<SceneFamily> open(std::string scene, const std::vector<std::string>& set,
+                                    std::vector<FreeParameter> free);
     // text: of a scene file (scenefile/scene_writer.h), whose relative paths are of the folder of the scenes that ship.
     static Result<SceneFamily> of_text(std::string text, std::vector<FreeParameter> free);
 

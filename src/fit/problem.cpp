@@ -36,7 +36,7 @@ Result<Prediction> difference(const Problem& problem, const std::vector<double>&
     auto low = at(from), high = at(from + 2 * half);
     if (!low && !high) return low.error();
     const double width = low && high ? 2 * half : low ? shares[k] - from : from + 2 * half - shares[k];
-    Prediction slope = high ? std::move(high->prediction) : here.prediction;
+    Prediction slope = high ? high->prediction : here.prediction;
     const Prediction& less = low ? low->prediction : here.prediction;
     for (std::size_t i = 0; i < slope.size(); ++i) slope[i] -= less[i];
     scale(slope, 1 / width, problem.data);

@@ -35,9 +35,10 @@ Triple turning(const LookedAlong& view);
 
 // view: n as an observer without angular momentum has it, whatever its derivatives.
 struct Launch {
-    Launch(double r_, double theta_, double phi_, const LookedAlong& along)
-        : r(r_), theta(theta_), phi(phi_), view(turning(along)) {}
-    Launch(double r_, double theta_, double phi_, Triple view_) : r(r_), theta(theta_), phi(phi_), view(view_) {}
+    Launch(double radius, double polar, double azimuth, const LookedAlong& along)
+        : Launch(radius, polar, azimuth, turning(along)) {}
+    Launch(double radius, double polar, double azimuth, const Triple& along)
+        : r(radius), theta(polar), phi(azimuth), view(along) {}
     double r, theta, phi;
     Triple view;
 };
