@@ -39,8 +39,6 @@ MUTANTS = [Mutant(*row) for row in [
      "flat_{0} = frame.{0};", "flat_{0} = 1.001 * frame.{0};", ("gpu_tests", "uniform block*")),
     ("tile-list", "one of a list of tiles is left out", "shaders/shared/thread.glsl",
      "return thread_group() < tile_list.tiles;", "return thread_group() + 1u < tile_list.tiles;", ("gpu_tests", "compute: whatever*")),
-    ("tiles-moving", "tiles of moving bodies are drawn without these", "src/shaderlib/body_text.cpp",
-     "bits |= std::uint64_t{1} << i;", "bits |= std::uint64_t{0} << i;", ("gpu_tests", "tiles: balls anywhere*")),
     ("glow-sense", "a body's motion the wrong way in its shift", "shaders/planar/glow.glsl",
      "float frequency = 1.0 + dot(back, w);", "float frequency = 1.0 - dot(back, w);", GLOW),
     ("glow-drag", "a body about a rotating hole without dragging of what measures it", "shaders/mino/glow.glsl",

@@ -111,11 +111,10 @@ void print_text(const Plan& plan) {
     fmt::print("Passes\n");
     const EffectSet effects = effect_set(plan.effects);
     const std::vector<Pass> still = passes(effects, Output::kDisplay),
-                            in_flight = passes(effects, Output::kDisplay, Tiles::kInterpolated,
-                                               body_text(plan.scene, effects).has_still());
+                            in_flight = passes(effects, Output::kDisplay, Tiles::kInterpolated);
     for (const Pass& pass : still)
         fmt::print("  {:<19}{} x {} px; {}\n", pass.name, camera.width, camera.height, pass.what);
-    if (in_flight.size() != still.size() || in_flight.front().stage != still.front().stage) {
+    if (in_flight.front().stage != still.front().stage) {
         fmt::print("Passes in the viewer, once they are compiled, and in films (which interpolate nothing)\n");
         for (const Pass& pass : in_flight) fmt::print("  {:<19}{}\n", pass.name, pass.what);
     }

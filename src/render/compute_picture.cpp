@@ -23,10 +23,10 @@ const gl::Program* ComputePicture::program(const Key& key, gl::Stored stored, co
     return &found->second;
 }
 
-const gl::TileList* ComputePicture::tiles(const std::string& text, int across, int first, int last,
+const gl::TileList* ComputePicture::tiles(Stage stage, int across, int first, int last,
                                           const std::function<void(const gl::Program&)>& name_inputs) {
-    const auto [found, is_new] = lists_.try_emplace(text);
-    if (is_new) found->second = made(text, {}, name_inputs);
+    const auto [found, is_new] = lists_.try_emplace(stage);
+    if (is_new) found->second = made(tile_list_source(stage), {}, name_inputs);
     if (!found->second) return nullptr;
     list_.find(found->second, first * across, last * across);
     return &list_;

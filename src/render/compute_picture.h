@@ -24,9 +24,9 @@ public:
     const gl::Program* program(const Key& key, gl::Stored stored, const std::function<std::string()>& text,
                                const std::function<void(const gl::Program&)>& name_inputs);
 
-    // The tiles that a stage draws, by its tile_list_source, of a picture of `across` tiles a row, in the rows from `first` up to but not including `last`. Its tile texture
+    // The tiles that this stage draws, of a picture of `across` tiles a row, in the rows from `first` up to but not including `last`. Its tile texture
     // must be bound. nullptr: the driver refuses to list them.
-    const gl::TileList* tiles(const std::string& text, int across, int first, int last,
+    const gl::TileList* tiles(Stage stage, int across, int first, int last,
                               const std::function<void(const gl::Program&)>& name_inputs);
 
     // Do compute shaders draw, as far as is known?
@@ -42,7 +42,7 @@ private:
 
     bool wanted_ = false, told_ = false;
     int drawn_ = 0;
-    std::map<std::string, gl::Program> lists_;  // by their texts
+    std::map<Stage, gl::Program> lists_;
     gl::TileList list_;
     std::map<std::pair<Key, gl::Stored>, gl::Program> programs_;  // one without a name: refused
     std::string refused_;

@@ -116,8 +116,8 @@ bool Renderer::compute_picture(const Pass& pass, unsigned picture, int first, in
         gl::compute_rows(*built, *image, kTileSide, first, last, layer);
         return true;
     }
-    const gl::TileList* list = computed_.tiles(tile_list_source(pass.stage, body_text_), tiles_along(image->width),
-                                               first / kTileSide, tiles_along(last), name_inputs);
+    const gl::TileList* list =
+        computed_.tiles(pass.stage, tiles_along(image->width), first / kTileSide, tiles_along(last), name_inputs);
     if (list != nullptr) gl::compute_tiles(*built, *image, *list, first, last, layer);
     return list != nullptr;
 }
@@ -203,7 +203,7 @@ std::vector<Pass> Renderer::passes_with(Tiles most, Output output) const {
     const Tiles able = method_.kind == MethodKind::kKerrSchild                ? Tiles::kNone
                        : method_.kind == MethodKind::kStrip && !method_.cubic ? Tiles::kInterpolated
                                                                               : Tiles::kTraced;
-    return passes(tables_.effects(), output, std::min(able, most), body_text_.has_still());
+    return passes(tables_.effects(), output, std::min(able, most));
 }
 
 std::vector<Pass> Renderer::picture_passes(Output output) const {

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <set>
+#include <tuple>
 
 #include "plan/body_kind.h"
+#include "plan/moving.h"
 #include "scene/bodies.h"
-#include "shaderlib/body_groups.h"
+#include "scene/named_surface.h"
 #include "shaderlib/glow_text.h"
 #include "shaderlib/march_statements.h"
 #include "shaderlib/medium_text.h"
@@ -18,12 +19,97 @@
 namespace nullscope {
 namespace {
 
+// How a body's shape is known to the shader.
+struct ShapeText {
+    std::string name;  // of its functions: NAME_value, NAME_room, NAME_normal, NAME_middle, NAME_size
+    std::string file;  // that defines them
+    std::string formula{};
+    bool moves = false, marched = true, round = false, turns = false;
+    auto operator<=>(const ShapeText&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
+};
+
+struct ShapeOf {
+    ShapeText operator()(const SphereSpec& s) const {
+        if (s.amplitude > 0.0) return {"pulse", "object/pulse.glsl", "", true};
+        return {"sphere",          mino ? "object/still_sphere.glsl" : "planar/sphere.glsl", "", false, mino, true,
+                s.spin_rate != 0.0};
+    }
+    ShapeText operator()(const BallSpec& b) const {
+        if (b.moves()) return {"moving_ball", "object/moving_ball.glsl", "", true, true, true};
+        return {"ball", "object/ball.glsl", "", false, true, true};
+    }
+    ShapeText operator()(const SurfaceSpec& s) const {
+        return {"surface", "object/surface.glsl", surface_shape(s), surface_moves(s)};
+    }
+    template <class Shape>
+    ShapeText operator()(const Shape&) const {  // of a kind that has one file
+        return {std::string(kind), fmt::format("object/{}.glsl", kind)};
+    }
+    std::string_view kind;
+    bool mino;
+};
+
+// Bodies that share all their text.
+struct Group {
+    ShapeText shape;
+    bool far;
+    TextureKind texture;
+    BodyMapping mapping;
+    std::string formula;
+    int image;
+    bool glows;
+    std::string name{};            // of its light
+    std::size_t from = 0, to = 0;  // in the shader's order
+    bool is_list() const { return to - from > 1; }
+    auto key() const { return std::tie(shape.marched, shape, far, texture, mapping, formula, image, glows); }
+};
+
+Group group_of(const Body& body, const std::vector<ImageSource>& images, bool mino) {
+    const Material& material = body.material;
+    const bool image = material.texture == TextureKind::kImage;
+    return {std::visit(ShapeOf{kind_of(body).key, mino}, body.shape),
+            body.far,
+            material.texture,
+            material.mapping,
+            material.texture == TextureKind::kFormula ? material.formula : "",
+            image ? static_cast<int>(std::find(images.begin(), images.end(), material.source()) - images.begin()) : -1,
+            material.temperature_K.has_value()};
+}
+
+// In the shader's order.
+std::vector<Group> groups_of(const Scene& scene, bool mino) {
+    const auto images = body_images(scene);
+    std::vector<Group> groups;
+    std::size_t next = 0;
+    for (const std::size_t i : shader_bodies(scene)) {
+        Group one = group_of(scene.bodies[i], images, mino);
+        if (groups.empty() || groups.back().key() != one.key()) {
+            one.from = next;
+            groups.push_back(std::move(one));
+        }
+        groups.back().to = ++next;
+    }
+    std::vector<std::string> formulas;  // each is a text of its own
+    for (Group& group : groups) {
+        if (!group.shape.formula.empty()) {
+            const auto known = std::find(formulas.begin(), formulas.end(), group.shape.formula);
+            if (const auto number = known - formulas.begin(); number > 0)
+                group.shape.name += fmt::format("_{}", number + 1);
+            if (known == formulas.end()) formulas.push_back(group.shape.formula);
+        }
+        const auto same = std::count_if(groups.data(), &group,
+                                        [&](const Group& other) { return other.shape.name == group.shape.name; });
+        group.name = same == 0 ? group.shape.name : fmt::format("{}_group_{}", group.shape.name, same + 1);
+    }
+    return groups;
+}
+
 // The template of shaders/object/surface.glsl for each formula.
-std::string surfaces_text(const std::vector<BodyGroup>& groups) {
+std::string surfaces_text(const std::vector<Group>& groups) {
     std::string text;
-    const BodyShapeText* before = nullptr;
-    for (const BodyGroup& group : groups) {
-        const BodyShapeText& shape = group.shape;
+    const ShapeText* before = nullptr;
+    for (const Group& group : groups) {
+        const ShapeText& shape = group.shape;
         if (shape.formula.empty() || (before != nullptr && *before == shape)) continue;
         before = &shape;
         std::string one = (shape.moves ? "#define BODY_MOVES\n" : "") + std::string(shader_file(shape.file));
@@ -35,14 +121,14 @@ std::string surfaces_text(const std::vector<BodyGroup>& groups) {
 }
 
 // What defines the functions of their shapes.
-std::string includes_of(const std::vector<BodyGroup>& groups) {
+std::string includes_of(const std::vector<Group>& groups) {
     std::string text;
-    for (const BodyGroup& group : groups)
+    for (const Group& group : groups)
         text += include_line(group.shape.formula.empty() ? group.shape.file : "generated/surfaces");
     return text;
 }
 
-std::string light_text(const BodyGroup& group, const Material& material) {
+std::string light_text(const Group& group, const Material& material) {
     constexpr const char* kMappings[] = {"MAPPING_EQUIRECTANGULAR", "MAPPING_BAND", "MAPPING_CAPS", "MAPPING_CUBE"};
     const char* mapping =
         group.shape.name == "cylinder" ? "MAPPING_PLANE" : kMappings[static_cast<int>(material.mapping)];
@@ -55,14 +141,14 @@ std::string light_text(const BodyGroup& group, const Material& material) {
     return replaced(std::move(text), "BODY", group.name);
 }
 
-bool is_ball(const BodyGroup& group) { return group.shape.name == "ball" || group.shape.name == "moving_ball"; }
+bool is_ball(const Group& group) { return group.shape.name == "ball" || group.shape.name == "moving_ball"; }
 
 // Whether a body's value is another thing than its distance.
-bool has_distance(const BodyGroup& group) { return !group.shape.formula.empty(); }
+bool has_distance(const Group& group) { return !group.shape.formula.empty(); }
 
 // Through a wormhole: a body's value on its own side; on the other, from where the way to it leads through the throat, that of the throat
 // and the way to there.
-std::string by_side(const BodyGroup& group) {
+std::string by_side(const Group& group) {
     const char* off = group.far ? "place.side >= 0.0" : "place.side <= 0.0";
     const auto function = [&](std::string_view name, std::string_view beyond, const char* here) {
         return fmt::format(
@@ -82,7 +168,7 @@ std::string by_side(const BodyGroup& group) {
 }
 
 // A statement for body i of each of a group, or of those in a set too: tested at the end, as software drivers run all of a loop once more.
-std::string for_each(const BodyGroup& group, const std::string& statement, const char* set = nullptr) {
+std::string for_each(const Group& group, const std::string& statement, const char* set = nullptr) {
     if (!group.is_list()) return replaced(statement, "(i,", fmt::format("({},", group.from));
     if (set == nullptr)
         return fmt::format("    for (int i = {}; i < {}; ++i) {{\n{}    }}\n", group.from, group.to, statement);
@@ -94,7 +180,7 @@ std::string for_each(const BodyGroup& group, const std::string& statement, const
 }
 
 // "1 + i" where a statement is for one body.
-std::string object_statement(const BodyGroup& group, const std::string& value) {
+std::string object_statement(const Group& group, const std::string& value) {
     const bool one = group.to - group.from == 1;
     return fmt::format("    if ({0} < value) {{\n        value = {0};\n        object = {1};\n    }}\n", value,
                        one ? fmt::format("{}", kFirstBody + group.from) : fmt::format("{} + i", kFirstBody));
@@ -105,7 +191,7 @@ struct ListTexts {
     std::string close{}, near{};
 };
 
-void add_to_lists(ListTexts& lists, const BodyGroup& group, const std::string& room, const std::string& least) {
+void add_to_lists(ListTexts& lists, const Group& group, const std::string& room, const std::string& least) {
     if (!group.is_list()) return;
     const bool bound = is_ball(group);
     if (bound) lists.close += for_each(group, list_statement(least, "bodies_close"), "bodies_shown");
@@ -113,10 +199,10 @@ void add_to_lists(ListTexts& lists, const BodyGroup& group, const std::string& r
 }
 
 // Are all that are marched to round, and of one size?
-bool round_alike(const std::vector<BodyGroup>& groups, const Scene& scene) {
+bool round_alike(const std::vector<Group>& groups, const Scene& scene) {
     const std::vector<std::size_t> order = shader_bodies(scene);
     std::set<double> sizes;
-    for (const BodyGroup& group : groups) {
+    for (const Group& group : groups) {
         if (!group.shape.marched) continue;
         if (!group.shape.round) return false;
         for (std::size_t k = group.from; k < group.to; ++k) {
@@ -129,9 +215,9 @@ bool round_alike(const std::vector<BodyGroup>& groups, const Scene& scene) {
 
 constexpr int kMostSteps = 512;  // of a march: what many bodies ask for is bounded
 
-std::string march_text(const std::vector<BodyGroup>& groups, const Scene& scene, const EffectSet& effects) {
+std::string march_text(const std::vector<Group>& groups, const Scene& scene, const EffectSet& effects) {
     const bool sides = effects.contains(Effect::kSides), mino = light_path_kind(effects) == LightPathKind::kMino;
-    const bool lists = !sides && std::ranges::any_of(groups, &BodyGroup::is_list);
+    const bool lists = !sides && std::ranges::any_of(groups, &Group::is_list);
     const char* near = lists ? "bodies_near" : nullptr;
     std::string ask, nearest, object, clear, helpers = includes_of(groups);
     ListTexts list;
@@ -139,7 +225,7 @@ std::string march_text(const std::vector<BodyGroup>& groups, const Scene& scene,
     if (lists) helpers += include_line("object/lists.glsl");
     std::size_t marched = 0, alone = 0;
     bool skims = false;  // there is a body whose room is a way along the ray, not a distance
-    for (const BodyGroup& group : groups) {
+    for (const Group& group : groups) {
         if (!group.shape.marched) {
             helpers += "float sphere_away(int i, RayPlace place) { return place.r - body_form(i).x; }\n";
             clear += for_each(group, clear_statement("sphere_away(i, place)"));
@@ -210,7 +296,7 @@ std::string march_text(const std::vector<BodyGroup>& groups, const Scene& scene,
            (round_alike(groups, scene) ? "thinnest" : "1.0e30") + "; }\n";
 }
 
-std::string hit_text(const std::vector<BodyGroup>& groups) {
+std::string hit_text(const std::vector<Group>& groups) {
     // The one still sphere is first.
     const bool sphere = !groups.front().shape.marched, march = groups.back().shape.marched;
     const std::string text =
@@ -231,9 +317,9 @@ std::string hit_text(const std::vector<BodyGroup>& groups) {
 }
 
 // Of those that have a temperature.
-GlowText glows_text(const std::vector<BodyGroup>& groups, const Scene& scene) {
+GlowText glows_text(const std::vector<Group>& groups, const Scene& scene) {
     std::vector<GlowGroup> glowing;
-    for (const BodyGroup& g : groups)
+    for (const Group& g : groups)
         if (g.glows)
             glowing.push_back({g.name, g.shape.name, g.shape.moves || g.shape.turns,
                                g.shape.name == "sphere" && has_caps(scene), g.from, g.to});
@@ -242,11 +328,11 @@ GlowText glows_text(const std::vector<BodyGroup>& groups, const Scene& scene) {
     return text;
 }
 
-std::string lights_text(const std::vector<BodyGroup>& groups, const Scene& scene, const std::string& glow) {
+std::string lights_text(const std::vector<Group>& groups, const Scene& scene, const std::string& glow) {
     const std::vector<std::size_t> order = shader_bodies(scene);
     std::string text = includes_of(groups), choice;
     std::set<int> images;  // a file may be on bodies of several groups
-    for (const BodyGroup& group : groups) {
+    for (const Group& group : groups) {
         if (group.texture == TextureKind::kImage && images.insert(group.image).second)
             text += fmt::format("uniform sampler2D body_image_{};\n", group.image);
         text += light_text(group, scene.bodies[order[group.from]].material);
@@ -257,40 +343,17 @@ std::string lights_text(const std::vector<BodyGroup>& groups, const Scene& scene
            choice + "    return vec3(0.0);\n}\n";
 }
 
-std::string objects_text(const std::vector<BodyGroup>& groups, const Scene& scene) {
+std::string objects_text(const std::vector<Group>& groups, const Scene& scene) {
     const std::size_t bodies = groups.empty() ? 0 : groups.back().to, spots = scene.disc ? scene.spots.size() : 0;
     if (bodies + spots == 0) return "";
     std::string text = fmt::format("#define OBJECT_VECTORS {}\n#define BODIES_FROM {}\n", caps_to(scene), kFirstBody);
     text += turn_defines(scene);
     if (spots > 0) text += fmt::format("#define SPOT_FROM {}\n#define SPOT_COUNT {}\n", 5 * bodies, spots);
-    for (const BodyGroup& group : groups)
+    for (const Group& group : groups)
         if (group.shape.name == "moving_ball")
             return text +
                    fmt::format("#define BALL_PATH_FIRST {}\n#define BALL_PATH_AHEAD {}\n", group.from, kBallPathAhead);
     return text;
-}
-
-BodyFunctions functions_of(const std::vector<BodyGroup>& groups, const Scene& scene, const EffectSet& effects) {
-    BodyFunctions text;
-    text.march = march_text(groups, scene, effects);
-    if (light_path_kind(effects) != LightPathKind::kMino) text.hit = hit_text(groups);
-    GlowText glow = glows_text(groups, scene);
-    text.light = lights_text(groups, scene, glow.light), text.shift = std::move(glow.shift);
-    return text;
-}
-
-std::vector<BodyGroup> still_among(std::vector<BodyGroup> groups) {
-    std::erase_if(groups, [](const BodyGroup& group) { return !group.is_still(); });
-    return groups;
-}
-
-// Bits beyond those that tiles have are none.
-std::string moving_bits(const std::vector<BodyGroup>& groups) {
-    std::uint64_t bits = 0;
-    for (const BodyGroup& group : groups)
-        for (std::size_t i = group.from; i < std::min<std::size_t>(group.to, 64) && !group.is_still(); ++i)
-            bits |= std::uint64_t{1} << i;
-    return fmt::format("uvec2({:#x}u, {:#x}u)", bits & 0xffffffffu, bits >> 32u);
 }
 
 }  // namespace
@@ -326,13 +389,10 @@ BodyText body_text(const Scene& scene, const EffectSet& effects) {
     text.law_by_place = scene.medium && scene.medium->by_place();
     text.objects = objects_text(groups, scene);
     if (groups.empty()) return text;
-    text.surfaces = surfaces_text(groups);
-    text.all = functions_of(groups, scene, effects);
-    const auto still = still_among(groups);
-    if (still.size() < groups.size() && !still.empty() && still.back().shape.marched && has_tiles(effects)) {
-        text.still = functions_of(still, scene, effects);
-        text.moving = moving_bits(groups);
-    }
+    text.surfaces = surfaces_text(groups), text.march = march_text(groups, scene, effects);
+    if (!mino) text.hit = hit_text(groups);
+    const GlowText glow = glows_text(groups, scene);
+    text.shift = glow.shift, text.light = lights_text(groups, scene, glow.light);
     return text;
 }
 

@@ -12,27 +12,18 @@ namespace nullscope {
 
 inline constexpr int kBallPathAhead = 64;  // cells of a ball's path, for which a node knows the largest acceleration
 
-// Functions for a scene's bodies, or for some of them: what generated/bodies_march, bodies_hit, bodies_light and bodies_shift stand for.
-struct BodyFunctions {
-    std::string march;  // march_ask, march_nearest, march_object, MARCH_MOST_STEPS
-    std::string hit;    // solid_hit: the first body on the ray; about a rotating hole the tracer finds it
-    std::string light;  // solid_light: and its light
-    std::string shift;  // solid_g: of bodies with a temperature how the frequencies of their light arrive
-    friend auto operator<=>(const BodyFunctions&, const BodyFunctions&) = default;  // NOLINT(modernize-use-nullptr)
-};
-
-// What generated/objects, surfaces, bodies_*, materials, medium_matter and medium_law stand for where a shader includes them.
+// What generated/objects, surfaces, bodies_march, bodies_hit, bodies_light, bodies_shift, materials, medium_matter and medium_law stand for where a shader includes them.
 // Compared as a whole: two scenes with equal texts and equal effects have one program.
 struct BodyText {
-    std::string objects;   // OBJECT_VECTORS and where in them what begins
-    std::string surfaces;  // surface_value, ...: the solids that are given by formulas
-    BodyFunctions all;
-    BodyFunctions still;    // of those that look the same at all times, where others do not; else empty
-    std::string moving;     // and which the others are: a set of bits (shaders/core/bits.glsl)
+    std::string objects;    // OBJECT_VECTORS and where in them what begins
+    std::string surfaces;   // surface_value, ...: the solids that are given by formulas
+    std::string march;      // march_ask, march_nearest, march_object, MARCH_MOST_STEPS
+    std::string hit;        // solid_hit: the first body on the ray; about a rotating hole the tracer finds it
+    std::string light;      // solid_light: and its light
+    std::string shift;      // solid_g: of bodies with a temperature how the frequencies of their light arrive
     std::string materials;  // disc_material_pattern, sky_pattern: what a disc and a sky without images are painted with
     std::string medium;     // medium_matter: names of its numbers, and what is by formula
     std::string law;        // medium_law: the file of its emission law
-    bool has_still() const { return !moving.empty(); }
     bool law_by_place = false;                                            // which asks for temperature or field
     friend auto operator<=>(const BodyText&, const BodyText&) = default;  // NOLINT(modernize-use-nullptr): no pointer
 };

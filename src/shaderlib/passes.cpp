@@ -3,21 +3,8 @@
 #include <algorithm>
 
 namespace nullscope {
-namespace {
 
-void add_body_tiles(std::vector<Pass>& list, Output light, bool by_motion) {
-    if (!by_motion) {
-        list.push_back({Stage::kBodyTiles, light, "tiles of bodies", "the same, and bodies"});
-        return;
-    }
-    list.push_back({Stage::kStillTiles, light, "tiles of still bodies",
-                    "the same, and bodies, where none can be seen that changes with time"});
-    list.push_back({Stage::kMovingTiles, light, "tiles of moving bodies", "the same, and all bodies"});
-}
-
-}  // namespace
-
-std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles, bool still_bodies) {
+std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
     if (output == Output::kLayers) tiles = std::min(tiles, Tiles::kBodies);  // their programs know all layers
     const bool stars = effects.contains(Effect::kPointStars);
     const bool bloom = effects.contains(Effect::kBloom), meter = effects.contains(Effect::kAutoExposure);
@@ -47,7 +34,7 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles, b
             list.push_back({Stage::kFullDisc, light, "tiles full of disc",
                             "every pixel traces its ray to the crossing where it meets the disc"});
         if (disc) list.push_back({Stage::kDiscTiles, light, "tiles of disc", "the same, and the disc"});
-        if (find_bodies) add_body_tiles(list, light, still_bodies && tiles >= Tiles::kTraced);
+        if (find_bodies) list.push_back({Stage::kBodyTiles, light, "tiles of bodies", "the same, and bodies"});
     } else if (tiles >= Tiles::kInterpolated && !effects.contains(Effect::kSamples) && interpolates_matter(effects)) {
         list.push_back({Stage::kLattice, Output::kLinear, "lattices of matter",
                         "its light 16, 8 and 4 px apart, finer where it is not smooth"});

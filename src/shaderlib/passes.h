@@ -21,9 +21,7 @@ struct Pass {
 // without disc and bodies are interpolated, to 0.002 px (shaders/stage/tile_fit.glsl), and so is the light of matter before nothing but a sky
 // (shaders/stage/lattice.glsl).
 enum class Tiles { kNone, kBodies, kTraced, kInterpolated };
-// still_bodies: some bodies look the same at all times, others do not (BodyText::has_still).
-std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles = Tiles::kBodies,
-                         bool still_bodies = false);
+std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles = Tiles::kBodies);
 
 // Are some of its pixels drawn again with more rays?
 bool refines(const std::vector<Pass>& passes);

@@ -133,8 +133,6 @@ constexpr StageFiles kStageFiles[] = {  // by Stage
     {kTile, "stage/full_disc.frag"},
     {kTile, "stage/trace.frag"},
     {kTile, "stage/trace.frag"},
-    {kTile, "stage/trace.frag"},
-    {kTile, "stage/trace.frag"},
     {kInterpolated, "stage/interpolated_rays.frag"},
     {"stage/lattice_nodes.vert", "stage/lattice.frag"},
     {"stage/lattice_nodes.vert", "stage/lattice.frag"},
@@ -150,17 +148,6 @@ const EmbeddedShader* find_file(std::string_view path) {
 }
 
 bool is_interpolated(Stage stage) { return stage == Stage::kInterpolated || stage == Stage::kInterpolatedRays; }
-
-// Of a stage that draws tiles of bodies.
-void add_body_defines(Stage stage, const EffectSet& effects, std::vector<std::string>& defines) {
-    if (!shows_bodies(stage)) return;
-    defines.emplace_back("TILES_WITH_BODIES");
-    if (stage != Stage::kBodyTiles) defines.emplace_back("TILES_BY_MOTION");
-    if (stage != Stage::kStillTiles) return;
-    defines.emplace_back("TILES_OF_STILL_BODIES");
-    if (effects.contains(Effect::kDisc)) return;  // whose matter may move
-    for (const char* define : {"EFFECT_DELAY", "NEEDS_LIGHT_TIMES", "NEEDS_PLACE_LATE"}) std::erase(defines, define);
-}
 
 // What a stage of these effects is compiled with.
 std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Output output, const Method& method) {
@@ -197,7 +184,7 @@ std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Ou
         if (tiles_classify_full_disc(effects)) defines.emplace_back("TILES_OF_FULL_DISC");
     }
     if (stage == Stage::kTilesInterpolated) defines.emplace_back("TILES_INTERPOLATED");
-    add_body_defines(stage, effects, defines);
+    if (stage == Stage::kBodyTiles) defines.emplace_back("TILES_WITH_BODIES");
     if (stage == Stage::kLatticeTold || stage == Stage::kMatterTold) defines.emplace_back("LATTICE_TOLD");
     if (is_of_matter(stage)) defines.emplace_back("MATTER_LATTICE");
     if (is_of_matter(stage) && (effects.contains(Effect::kSky) || effects.contains(Effect::kSkyPattern)))
@@ -262,7 +249,6 @@ std::vector<std::string> texts_of(std::initializer_list<const char*> files, Stag
     if (const MediumModel* model = model_of(effects);
         model != nullptr && !model->traits.turn && (model->shares & kWarmth) != 0 && bodies.law_by_place)
         defines.emplace_back("MEDIUM_TURN");
-    const BodyFunctions& functions = stage == Stage::kStillTiles ? bodies.still : bodies.all;
     ProjectionText projection = projection_text(projections_of(effects));
     std::map<std::string_view, std::string> generated = {
         {"generated/projection", std::move(projection.files)},
@@ -271,15 +257,15 @@ std::vector<std::string> texts_of(std::initializer_list<const char*> files, Stag
         {"generated/method", method_text(method, metric)},
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},
         {"generated/constants", fmt::format("#define METER_KEY {}\n", kMeterKey)},
-        {"generated/tiles", fmt::format("#define TILE_SIDE {}\n#define PATCHES_SIDE {}\n#define RAYS_A_TILE "
-                                        "{}\n#define FIRST_TILES {}\n#define TILES_MOVING {}\n",
-                                        kTileSide, kPatchesSide, rays_a_tile(effects), kFirstTiles, bodies.moving)},
+        {"generated/tiles",
+         fmt::format("#define TILE_SIDE {}\n#define PATCHES_SIDE {}\n#define RAYS_A_TILE {}\n#define FIRST_TILES {}\n",
+                     kTileSide, kPatchesSide, rays_a_tile(effects), kFirstTiles)},
         {"generated/objects", bodies.objects},
         {"generated/surfaces", bodies.surfaces},
-        {"generated/bodies_march", functions.march},
-        {"generated/bodies_hit", functions.hit},
-        {"generated/bodies_light", functions.light},
-        {"generated/bodies_shift", functions.shift},
+        {"generated/bodies_march", bodies.march},
+        {"generated/bodies_hit", bodies.hit},
+        {"generated/bodies_light", bodies.light},
+        {"generated/bodies_shift", bodies.shift},
         {"generated/materials", bodies.materials},
         {"generated/medium_law", bodies.law},
         {"generated/medium_matter", bodies.medium}};
@@ -320,9 +306,9 @@ std::string compute_source(Stage stage, const EffectSet& effects, Output output,
     return texts_of({root}, stage, std::move(defines), effects, method, metric, bodies).front();
 }
 
-std::string tile_list_source(Stage stage, const BodyText& bodies) {
+std::string tile_list_source(Stage stage) {
     return texts_of({"stage/tile_list.comp"}, stage, stage_defines(stage, {}, Output::kLinear, {}), {}, {},
-                    "schwarzschild", bodies)
+                    "schwarzschild", {})
         .front();
 }
 

@@ -15,7 +15,7 @@ namespace nullscope {
 // a baseline of cost. Tiles are squares of the picture. kRays: the rays through their corners. kTiles: which bodies they may show;
 // kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated;
 // in the others kSkyTiles, where neither body nor disc is seen; kFullDisc, where nothing but the disc is; kDiscTiles, where no body is;
-// kBodyTiles, the rest. Or, in place of it: kStillTiles, where bodies are that look the same at all times, and none that does not, and kMovingTiles. kInterpolatedRays: where interpolated rays go, for tests.
+// kBodyTiles, the rest. kInterpolatedRays: where interpolated rays go, for tests.
 // kLattice: the light of matter on a lattice of the picture, by rays; kLatticeTold: by the next coarser one; kLatticeCells: where it tells the light
 // between its nodes. kMatterTold: the tiles of a picture that it tells; kMatterTraced: the others.
 // kRayList: ray data of a list, one ray a fragment.
@@ -40,8 +40,6 @@ enum class Stage {
     kFullDisc,
     kDiscTiles,
     kBodyTiles,
-    kStillTiles,
-    kMovingTiles,
     kInterpolatedRays,
     kLattice,
     kLatticeTold,
@@ -72,15 +70,11 @@ constexpr bool draws_lattice(Stage stage) {
     return stage == Stage::kLattice || stage == Stage::kLatticeTold || stage == Stage::kLatticeCells;
 }
 
-// Does a stage draw the picture's tiles of bodies?
-constexpr bool shows_bodies(Stage stage) {
-    return stage == Stage::kBodyTiles || stage == Stage::kStillTiles || stage == Stage::kMovingTiles;
-}
-
 // Does a stage draw the picture, whole or in part?
 constexpr bool draws_picture(Stage stage) {
     return stage == Stage::kPicture || is_of_matter(stage) || stage == Stage::kInterpolated ||
-           stage == Stage::kSkyTiles || stage == Stage::kFullDisc || stage == Stage::kDiscTiles || shows_bodies(stage);
+           stage == Stage::kSkyTiles || stage == Stage::kFullDisc || stage == Stage::kDiscTiles ||
+           stage == Stage::kBodyTiles;
 }
 
 // In one triangle?
@@ -117,14 +111,14 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
 
 // Can a stage be drawn by compute? Not where a tile tells its fragments more than which bodies it may show.
 constexpr bool computes(Stage stage) {
-    return stage == Stage::kPicture || stage == Stage::kSkyTiles || stage == Stage::kDiscTiles || shows_bodies(stage) ||
-           stage == Stage::kRayData || stage == Stage::kRayList;
+    return stage == Stage::kPicture || stage == Stage::kSkyTiles || stage == Stage::kDiscTiles ||
+           stage == Stage::kBodyTiles || stage == Stage::kRayData || stage == Stage::kRayList;
 }
 // What such a stage draws as a compute shader of the same functions, without what it begins with (gl/compute.h).
 std::string compute_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
                            std::string_view metric = "schwarzschild", const BodyText& bodies = {});
 // And what lists the tiles that it draws, of a stage that is drawn in tiles.
-std::string tile_list_source(Stage stage, const BodyText& bodies);
+std::string tile_list_source(Stage stage);
 
 // Which members of FrameData (shaders/shared/frame_block.glsl, numbered as in the file) the block of these effects has, in order.
 std::vector<int> block_members(const EffectSet& effects);

@@ -13,8 +13,8 @@ using namespace nullscope;
 
 namespace {
 
-constexpr Stage kComputed[] = {Stage::kPicture,    Stage::kSkyTiles,    Stage::kDiscTiles, Stage::kBodyTiles,
-                               Stage::kStillTiles, Stage::kMovingTiles, Stage::kRayData,   Stage::kRayList};
+constexpr Stage kComputed[] = {Stage::kPicture,   Stage::kSkyTiles, Stage::kDiscTiles,
+                               Stage::kBodyTiles, Stage::kRayData,  Stage::kRayList};
 
 struct Texts {
     std::string fragment, compute;
