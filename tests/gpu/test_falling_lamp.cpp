@@ -6,6 +6,7 @@
 
 #include "base/assets.h"
 #include "reference/reference.h"
+#include "support/depth.h"
 #include "support/draft.h"
 #include "support/gpu_session.h"
 
@@ -89,7 +90,7 @@ std::vector<bool> since_the_start(const Scene& scene) {
 }
 
 // About a rotating hole, whose horizon drags it round.
-TEST_CASE("falling lamp: about a rotating hole it has the reference's flux") {
+TEST_CASE("falling lamp: about a rotating hole it has the reference's flux" * test::costly()) {
     constexpr double kSame = 0.01;
     constexpr int kSamples = 4;
     on_one_context([&](GpuSession& session) {

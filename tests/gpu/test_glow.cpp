@@ -5,6 +5,7 @@
 #include "base/assets.h"
 #include "command/capture_layers.h"
 #include "reference/reference.h"
+#include "support/depth.h"
 #include "support/draft.h"
 #include "support/gpu_session.h"
 #include "support/picture_off.h"
@@ -75,7 +76,7 @@ std::vector<Glowing> glowing_scenes() {
     return all;
 }
 
-TEST_CASE("glow: the light of bodies is the reference's") {
+TEST_CASE("glow: the light of bodies is the reference's" * test::costly()) {
     constexpr double kLight = 5e-4;  // relative: a float's place, and twice that of the velocity by differences of it
     constexpr double kEdges = 0.3;   // of the lit pixels: rims are covered in part, in the reference's one ray not
     on_one_context([&](GpuSession& session) {
@@ -103,7 +104,8 @@ TEST_CASE("glow: the light of bodies is the reference's") {
 // Of what does not move nobody asks for light's times: the text of rays' depths, which have a body's g, then has no other includes before glow's.
 TEST_CASE(
     "glow: layers of a still body that glows have its light, without light's times, in planes and about a rotating "
-    "hole") {
+    "hole" *
+    test::costly()) {
     on_one_context([](GpuSession& session) {
         constexpr double kLayers = 1e-5;  // of the light: rounding of float sums
         for (const auto& [metric, spin] : {std::pair{"schwarzschild", 0.0}, {"kerr", 0.9}}) {
