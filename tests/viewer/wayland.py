@@ -6,7 +6,8 @@ Usage: wayland.py VIEWER
 The compositor is weston in a window of an Xvfb, where xdotool's mouse and keys are its own; the window is as large as its screen, which it puts at
 the corner then. GLFW before 3.4 is one library for X11 and another for Wayland: the latter is fetched by apt where it is not installed, and used by this test alone.
 
-It runs at depth all (tests/support/depth.h). Exit status 0: all is so; 1: it is not; 77: something is missing, which is printed.
+By hand, in no tier: in two of three runs the compositor hands on the first wheel or key not at all, and the test waits. Exit status 0: all is so; 1: it is
+not; 77: something is missing, which is printed.
 """
 import glob
 import os
@@ -17,7 +18,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from viewer_process import CHANGED, EVERYTHING, HUNG_S, SCENE, Log
+from viewer_process import CHANGED, HUNG_S, SCENE, Log
 from x_screen import Screen, missing_tools, wait_until
 
 SIZE = (840, 600)   # of screen and window, in units of the window system
@@ -41,8 +42,10 @@ class Weston:
         self.folder = Path(folder) / f"weston{scale}"
         self.folder.mkdir(mode=0o700)
         self.environment = {**os.environ, "XDG_RUNTIME_DIR": str(self.folder), "WAYLAND_DISPLAY": "wayland-test"}
+        config = self.folder / "weston.ini"
+        config.write_text("[shell]\npanel-position=none\n")   # a click on it starts a terminal, before the viewer
         self.server = subprocess.Popen(
-            ["weston", "--backend=x11-backend.so", "--use-pixman", "--no-config", f"--scale={scale}",
+            ["weston", "--backend=x11-backend.so", "--use-pixman", f"--config={config}", f"--scale={scale}",
              f"--width={SIZE[0]}", f"--height={SIZE[1]}", "--socket=wayland-test", "--idle-time=0"],
             env={**self.environment, "DISPLAY": self.screen.display}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         wait_until("weston", (self.folder / "wayland-test").exists, HUNG_S)
@@ -103,9 +106,6 @@ def tried(program, scale, folder, glfw):
 
 def main():
     if missing_tools():
-        return 77
-    if not EVERYTHING:
-        print("skipped: run at depth all")
         return 77
     if shutil.which("weston") is None:
         print("skipped: weston not installed")
