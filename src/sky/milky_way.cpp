@@ -11,6 +11,7 @@
 #include "image/image_file.h"
 #include "sky/equirectangular.h"
 #include "sky/star_light.h"
+#include "sky/wide_lanes.h"
 
 namespace nullscope {
 namespace {
@@ -18,12 +19,17 @@ namespace {
 constexpr int kMostDustCells = 512;    // a side of a face: 0.11 to 0.22 degrees; the map's pixels are of 0.18
 constexpr std::size_t kPixelRun = 64;  // places that are worked out together
 
-// Red, green, blue and what follows: what a processor adds at once. (An extension that gcc and clang share; arrays are added one by one.)
+// Red, green, blue and one more: what a processor adds at once. (An extension that gcc and clang share; arrays are added one by one.)
 using BandLight = float __attribute__((vector_size(16)));
 
-BandLight at(const float* pixel) {
-    BandLight light;
-    std::memcpy(&light, pixel, sizeof light);
+// The one more is what follows in the map, or 0 at its end.
+NULLSCOPE_WITHIN_LANES BandLight light_at(const Image<float>& map, int x, int y) {
+    const float* pixel = map.at(x, y);
+    BandLight light{};
+    if (pixel + 4 <= map.data.data() + map.data.size())
+        std::memcpy(&light, pixel, sizeof light);
+    else
+        std::memcpy(&light, pixel, 3 * sizeof *pixel);
     return light;
 }
 
@@ -31,7 +37,7 @@ BandLight at(const float* pixel) {
 struct Places {
     std::array<float, kPixelRun> x, y;
 
-    void fill(const Image<float>& map, Vec3 first, Vec3 step, std::size_t count) {
+    NULLSCOPE_WITHIN_LANES void fill(const Image<float>& map, Vec3 first, Vec3 step, std::size_t count) {
         const auto fx = static_cast<float>(first.x), fy = static_cast<float>(first.y), fz = static_cast<float>(first.z),
                    sx = static_cast<float>(step.x), sy = static_cast<float>(step.y), sz = static_cast<float>(step.z);
         const auto width = static_cast<float>(map.width), height = static_cast<float>(map.height);
@@ -46,7 +52,7 @@ struct Places {
 };
 
 // Bilinear, as the map's pixels are twice as wide as the grid's cells. Columns are periodic, rows clamped.
-void sample(const Image<float>& map, float place_x, float place_y, float scale, float* red, std::size_t plane) {
+NULLSCOPE_WITHIN_LANES void sample(const Image<float>& map, float place_x, float place_y, float scale, float* red, std::size_t plane) {
     const float x = std::max(place_x + 0.5f, 0.0f);  // one more than the pixel's number: a cast is floor
     const float y = std::clamp(place_y - 0.5f, 0.0f, static_cast<float>(map.height - 1));
     const int right = static_cast<int>(x), x1 = right < map.width ? right : 0,
@@ -55,9 +61,21 @@ void sample(const Image<float>& map, float place_x, float place_y, float scale, 
     const float tx = x - static_cast<float>(right), ty = y - static_cast<float>(y0);
     const float below = scale * ty, above = scale - below;
     const float wa = above - above * tx, wb = above * tx, wc = below - below * tx, wd = below * tx;
-    const BandLight a = at(map.at(x0, y0)), b = at(map.at(x1, y0)), c = at(map.at(x0, y1)), d = at(map.at(x1, y1));
+    const BandLight a = light_at(map, x0, y0), b = light_at(map, x1, y0), c = light_at(map, x0, y1),
+                    d = light_at(map, x1, y1);
     const BandLight sum = wa * a + wb * b + wc * c + wd * d;
     red[0] = sum[0], red[plane] = sum[1], red[2 * plane] = sum[2];
+}
+
+// Of `count` directions, one step apart, times scale: three planes of `count` numbers.
+NULLSCOPE_WIDE_LANES void sample_run(const Image<float>& map, Vec3 first, Vec3 step, std::size_t count, float scale,
+                                     float* out) {
+    Places places;
+    for (std::size_t begin = 0; begin < count; begin += kPixelRun) {
+        const std::size_t run = std::min(kPixelRun, count - begin);
+        places.fill(map, first + static_cast<double>(begin) * step, step, run);
+        for (std::size_t i = 0; i < run; ++i) sample(map, places.x[i], places.y[i], scale, out + begin + i, count);
+    }
 }
 
 }  // namespace
@@ -71,7 +89,6 @@ Result<MilkyWay> MilkyWay::load(const std::filesystem::path& path, const Mat3& w
                                 int size, int border) {
     Result<Image<float>> map = load_image(path);
     if (!map) return failed(map.error().message());
-    map->data.push_back(0.0f);  // at() reads a number beyond the last pixel
     return MilkyWay(std::move(*map), FaceGrid(world_from_sky, size, border, kMostDustCells),
                     brightness * kMapWhite_S10 * radiance_of_s10());
 }
@@ -79,12 +96,7 @@ Result<MilkyWay> MilkyWay::load(const std::filesystem::path& path, const Mat3& w
 void MilkyWay::paint(SkyRows& rows) const {
     const auto scale = static_cast<float>(scale_);
     grid_.paint(rows, [&](Vec3 first, Vec3 step, std::size_t count, float* out) {
-        Places places;
-        for (std::size_t begin = 0; begin < count; begin += kPixelRun) {
-            const std::size_t run = std::min(kPixelRun, count - begin);
-            places.fill(map_, first + static_cast<double>(begin) * step, step, run);
-            for (std::size_t i = 0; i < run; ++i) sample(map_, places.x[i], places.y[i], scale, out + begin + i, count);
-        }
+        sample_run(map_, first, step, count, scale, out);
     });
 }
 

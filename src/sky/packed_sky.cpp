@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "image/half_float.h"
+#include "sky/wide_lanes.h"
 
 namespace nullscope {
 namespace {
@@ -26,12 +27,12 @@ constexpr int kCoarsest = 16, kCoarsestBordered = bordered_size(kBorderOf) * kCo
 constexpr int kPaintedAtOnce = 32;  // rows: the floats of a face of 2048 then fit a core's cache
 constexpr int kBandsAThread = 2;    // painted while as many are handed over: 6 MB a thread at 2048
 
-inline void pack(float red, float green, float blue, std::uint32_t& to) {
+NULLSCOPE_WITHIN_LANES void pack(float red, float green, float blue, std::uint32_t& to) {
     to = small_float<kShift11>(red, kMost11) | small_float<kShift11>(green, kMost11) << 11 |
          small_float<kShift10>(blue, kMost10) << 22;
 }
 
-inline void pack(float red, float green, float blue, std::uint64_t& to) {
+NULLSCOPE_WITHIN_LANES void pack(float red, float green, float blue, std::uint64_t& to) {
     constexpr std::uint64_t kOne = 0x3c00;
     to = half_bits(red) | std::uint64_t{half_bits(green)} << 16 | std::uint64_t{half_bits(blue)} << 32 | kOne << 48;
 }
@@ -39,18 +40,18 @@ inline void pack(float red, float green, float blue, std::uint64_t& to) {
 using Planes = std::array<std::vector<float>, 3>;
 
 template <class Texel>
-void pack_planes(const Planes& planes, std::size_t count, float scale, Texel* out) {
+NULLSCOPE_WITHIN_LANES void pack_all(const Planes& planes, std::size_t count, float scale, Texel* out) {
     const float *red = planes[0].data(), *green = planes[1].data(), *blue = planes[2].data();
     for (std::size_t i = 0; i < count; ++i) pack(scale * red[i], scale * green[i], scale * blue[i], out[i]);
 }
 
 // Planes of width x rows; `out` of bytes, aligned for any texel.
-void pack_planes(const Planes& planes, std::size_t count, const SkyPacking& packing, std::byte* out) {
+NULLSCOPE_WIDE_LANES void pack_planes(const Planes& planes, std::size_t count, const SkyPacking& packing, std::byte* out) {
     const auto scale = static_cast<float>(packing.scale);
     if (packing.format == SkyFormat::kHalfFloats)
-        pack_planes(planes, count, scale, reinterpret_cast<std::uint64_t*>(out));
+        pack_all(planes, count, scale, reinterpret_cast<std::uint64_t*>(out));
     else
-        pack_planes(planes, count, scale, reinterpret_cast<std::uint32_t*>(out));
+        pack_all(planes, count, scale, reinterpret_cast<std::uint32_t*>(out));
 }
 
 // The mean of every 2 x 2 numbers: width/2 a row.
