@@ -1,32 +1,14 @@
-"""Writes docs/gpu/NAME.md (scripts/gpu-figures.sh): what every scene costs on this machine's GPU, and how exact its pictures are."""
+"""Writes docs/gpu/NAME.md of what scripts/gpu_measure.sh has measured: what scenes cost on a GPU, and how exact their pictures are."""
 
 import argparse
 import json
 import os
 import pathlib
 import re
-import shlex
-import subprocess
 import sys
-import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SIZES = ["1280x720", "1920x1080", "3840x2160", "7680x4320"]
-
-
-def run(*words, check=True):
-    print("gpu-figures:", *words[1:], file=sys.stderr, flush=True)
-    done = subprocess.run([str(w) for w in words], stdout=subprocess.PIPE, text=True)
-    if check and done.returncode != 0:
-        sys.exit(f"gpu-figures: {words[0]} {words[1]} failed ({done.returncode})")
-    return done
-
-
-def rows_of(programs, *words):
-    with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / "rows.json"
-        run(programs / "nullscope", "bench", *words, "--json", path, check=words[0] != "hard")   # which says so where a bound is not kept
-        return json.loads(path.read_text())
+STAGES = ["fragment", "compute"]
 
 
 def table(head, lines):
@@ -34,96 +16,166 @@ def table(head, lines):
     return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in [head, rule, *lines]) + "\n"
 
 
-def frame_times(programs, scenes, sizes, frames, context):
-    """By scene: GPU milliseconds at each size, and the rows themselves."""
-    rows = {}
-    for size in sizes:
-        for row in rows_of(programs, "frames", *scenes, "--size", size, "--frames", frames, "--context", context):
-            rows.setdefault(row["scene"], []).append(row)
-    return rows
+def lines_of(path):
+    return [line.split("\t") for line in path.read_text().splitlines()] if path.exists() else []
 
 
-def golden(programs):
-    """Of the golden pictures' test: the line that says how many checks passed."""
-    done = run(programs / "golden_tests", "--no-version", check=False)
-    return [line for line in done.stdout.splitlines() if line.startswith("[doctest]")][-3:], done.returncode == 0
+class Measured:
+    """What is in the folder: rows by (stage, size, scene), in the order in which they were measured."""
+
+    def __init__(self, folder):
+        self.steps = lines_of(folder / "steps.tsv")
+        self.frames = {}
+        for name, *_ in self.steps:
+            match = re.fullmatch(r"frames (\w+) (\d+x\d+) (\S+)", name)
+            path = match and folder / f"frames-{match[1]}-{match[2]}-{match[3]}.json"
+            if match and path.exists():
+                self.frames[match.groups()] = json.loads(path.read_text())[0]
+        hard = folder / "hard.json"
+        self.hard = json.loads(hard.read_text()) if hard.exists() else []
+        self.pictures = [json.loads(path.read_text())[0] for path in sorted(folder.glob("pictures-*.json"))]
+        self.films = [(scene, stage, size, int(frames), float(end) - float(begun))
+                      for scene, stage, size, frames, begun, end in lines_of(folder / "film.tsv")]
+        processor = folder / "processor.txt"
+        self.processor = processor.read_text().strip() if processor.exists() else "unknown"
+        self.golden = [line for line in (folder / "log.txt").read_text(errors="replace").splitlines() if line.startswith("[doctest]")][-3:]
+
+    def sizes(self):
+        return list(dict.fromkeys(size for _, size, _ in self.frames))
+
+    def scenes(self):
+        return list(dict.fromkeys(scene for _, _, scene in self.frames))
+
+    def gpu_ms(self, stage, size, scene):
+        row = self.frames.get((stage, size, scene))
+        return row and row["gpu_ms"]
+
+
+def times(data):
+    """ms of a frame by each stage and size, and at the largest size 10^9 rays a second and the cost over that of flat space."""
+    columns = [(size, stage) for size in data.sizes() for stage in STAGES]
+    shown = lambda value, digits: f"{value:.{digits}f}" if value else ""
+    return table(["scene", *(f"{size} {stage}" for size, stage in columns)],
+                 [[scene, *(shown(data.gpu_ms(stage, size, scene), 3) for size, stage in columns)] for scene in data.scenes()])
+
+
+def rays(data):
+    lines = []
+    for scene in data.scenes():
+        for size in data.sizes()[::-1]:
+            ms = [data.gpu_ms(stage, size, scene) for stage in STAGES]
+            if not all(ms):
+                continue
+            width, height = map(int, size.split("x"))
+            floor = data.frames[STAGES[0], size, scene]["floor_gpu_ms"]
+            lines.append([scene, size, *(f"{width * height / each / 1e6:.3f}" for each in ms), f"{ms[0] / ms[1]:.2f}", f"{ms[0] / floor:.2f}"])
+            break
+    return table(["scene", "size", *STAGES, "fragment over compute", "fragment over flat"], lines)
+
+
+def before(data):
+    lines = []
+    for scene in data.scenes():
+        rows = [data.frames.get((stage, data.sizes()[0], scene)) for stage in STAGES]
+        if rows[0]:
+            lines.append([scene, f"{rows[0]['table_ms']:.1f}", f"{rows[0]['prepare_ms']:.1f}", *(f"{row['compile_ms']:.0f}" if row else "" for row in rows)])
+    return table(["scene", "tables", "tables and upload", *(f"first frame, {stage}" for stage in STAGES)], lines)
+
+
+def errors(data):
+    if not data.hard:
+        return "Not measured.\n"
+    drivers = [key for key, value in data.hard[0].items() if isinstance(value, dict) and "error_over_bound" in value]
+    return table(["case", *drivers, "wrong ends"],
+                 [[case["case"], *(f"{case[by]['error_over_bound']:.2f}" if by in case else "" for by in drivers),
+                   sum(case[by]["fate_errors"] for by in drivers if by in case)] for case in data.hard])
+
+
+def pictures(data):
+    if not data.pictures:
+        return "Not measured.\n"
+    of_both = ["difference", "reference"]
+    return table(["scene", "pixels", "mean", "99 %", "99.9 %", "the reference's own mean", "99 %", "99.9 %"],
+                 [[row["scene"], row["pixels"], *(f"{row[of][key]:.3g}" for of in of_both for key in ("mean", "p99", "p99.9"))]
+                  for row in data.pictures])
+
+
+def films(data):
+    lines = []
+    for scene, stage, size, frames, seconds in data.films:
+        ms = data.gpu_ms(stage, size, scene)
+        lines.append([scene, stage, size, f"{frames / seconds:.2f}", f"{100 * frames * ms / 1e3 / seconds:.0f} %" if ms else ""])
+    return table(["scene", "stage", "size", "frames a second", "GPU busy"], lines) if lines else "Not measured.\n"
+
+
+def left_out(data):
+    lines = [[name, "no time was left" if status == "-" else "the time was over" if status == "124" else f"exit status {status}"]
+             for name, status, _ in data.steps if status != "0"]
+    return table(["step", "why"], lines) if lines else "Nothing.\n"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("name", help="of the file: docs/gpu/NAME.md; letters, digits, - and _")
-    parser.add_argument("--scenes", nargs="+", help="only these; all built-in scenes without")
-    parser.add_argument("--sizes", nargs="+", default=SIZES)
-    parser.add_argument("--frames", type=int, default=21, help="of each measurement, at least 9")
-    parser.add_argument("--only", default="", help="hard cases with this text in their names; without: all")
-    parser.add_argument("--context", default="egl", help="egl or osmesa")
+    parser.add_argument("results", type=pathlib.Path, help="folder that gpu_measure.sh has filled")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "docs/gpu")
-    parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build/release/bin")
-    parser.add_argument("--without-golden", action="store_true", help="leave the golden pictures out")
     given = parser.parse_args()
     if not re.fullmatch(r"[A-Za-z0-9_-]+", given.name):
         parser.error(f"NAME: {given.name!r}; letters, digits, - and _ only")
-    listed = run(given.programs / "nullscope", "scenes").stdout
-    scenes = given.scenes or [line.split()[0] for line in listed.splitlines() if line[:1].isalnum()]
+    data = Measured(given.results)
+    if not data.frames:
+        sys.exit(f"gpu-figures: {given.results}: no frame was measured; see its log.txt")
+    row = next(iter(data.frames.values()))
+    golden = "".join(f"    {line}\n" for line in data.golden) or "Not measured.\n"
+    text = f"""# Figures of {row['renderer']}
 
-    rows = frame_times(given.programs, scenes, given.sizes, given.frames, given.context)
-    hard = rows_of(given.programs, "hard", "--only", given.only)
-    golden_lines, golden_passed = (["not asked for"], True) if given.without_golden else golden(given.programs)
-
-    golden_text = "".join(f"    {line}\n" for line in golden_lines)
-    any_row = next(iter(rows.values()))[0]
-    pixels = [int(w) * int(h) for w, h in (size.split("x") for size in given.sizes)]
-    times, rays, tables = [], [], []
-    for scene, by_size in rows.items():
-        times.append([scene] + [f"{row['gpu_ms']:.3f}" for row in by_size] + [f"{by_size[-1]['gpu_ms'] / by_size[-1]['floor_gpu_ms']:.2f}"])
-        rays.append([scene] + [f"{count / row['gpu_ms'] / 1e6:.3f}" for count, row in zip(pixels, by_size)])
-        first = by_size[0]
-        tables.append([scene, f"{first['table_ms']:.1f}", f"{first['prepare_ms']:.1f}", f"{first['compile_ms']:.0f}"])
-    drivers = [key for key, value in hard[0].items() if isinstance(value, dict) and "error_over_bound" in value]
-    errors = [[case["case"], *(f"{case[by]['error_over_bound']:.2f}" if by in case else "" for by in drivers),
-               sum(case[by]["fate_errors"] for by in drivers if by in case)] for case in hard]
-    text = f"""# Figures of {any_row['renderer']}
-
-Written by `scripts/gpu-figures.sh {shlex.join(sys.argv[1:])}`; context {any_row['context']}, {given.frames} frames a measurement, medians.
-Processor: {processor()}.
+Written by `scripts/gpu-figures.sh`; context {row['context']}, {row['frames']} frames a measurement, medians, {sum(int(step[2]) for step in data.steps)} s in all.
+Processor: {data.processor}.
 
 ## Time of a frame
 
-GPU time by timer queries, ms; the last column is the frame's time over that of flat space at {given.sizes[-1]}.
+GPU time by timer queries, ms, of a frame in flight, whose edges have no more rays.
 
-{table(['scene', *given.sizes, 'over flat'], times)}
+{times(data)}
 ## Rays
 
-10^9 rays a second, one a pixel.
+10^9 rays a second, one a pixel, at the largest size that was measured.
 
-{table(['scene', *given.sizes], rays)}
+{rays(data)}
 ## Before the first frame
 
 ms: tables on the processor; tables, pictures and their upload together; the first frame, which compiles the shaders.
 
-{table(['scene', 'tables', 'tables and upload', 'first frame'], tables)}
+{before(data)}
+## A sequence of pictures
+
+PNG files by `nullscope capture --frames`, with what comes before the first; GPU busy: time of its frames by the table above over the clock's.
+
+{films(data)}
 ## Errors against the reference
 
 `nullscope bench hard`: of each hard case the largest error over its bound, of the shader core on the processor in double and in float and
 of the drivers, and how many rays end elsewhere.
 
-{table(['case', *drivers, 'wrong ends'], errors)}
+{errors(data)}
+## Pictures against the reference
+
+`nullscope bench pictures`: differences, of 255, of pixels chosen at random to 16 x 16 rays of the reference, whose own are those to other rays.
+
+{pictures(data)}
 ## Golden pictures
 
-{golden_text}"""
+{golden}
+## Not measured
+
+{left_out(data)}"""
     path = given.folder / f"{given.name}.md"
     path.parent.mkdir(exist_ok=True)
     part = path.with_suffix(".md.part")
     part.write_text(text)
     os.replace(part, path)
     print(path)
-    return 0 if golden_passed else 1
-
-
-def processor():
-    lines = pathlib.Path("/proc/cpuinfo").read_text().splitlines()
-    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
-    return f"{len(names)} x {names[0]}" if names else "unknown"
+    return 1 if any(status not in ("0", "-", "124") for _, status, _ in data.steps) else 0
 
 
 if __name__ == "__main__":

@@ -229,16 +229,23 @@ class Commands(support.CliTest):
 
     @unittest.skipIf(support.QUICK, "six processor seconds: with --all")
     def test_figures_of_a_gpu(self):
-        script = Path(__file__).resolve().parents[2] / "scripts/gpu_figures.py"
-        words = ["trial", "--sizes", "48x27", "96x54", "--frames", "9", "--scenes", "sky-only", "--only", "horizon, inwards"]
-        done = subprocess.run([sys.executable, "-B", script, *words, "--without-golden", "--folder", self.folder,
-                               "--programs", Path(support.BINARY).parent, "--context", self.contexts()[0]], capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        scripts, programs = Path(__file__).resolve().parents[2] / "scripts", self.folder / "programs"
+        programs.mkdir()
+        (programs / "nullscope").symlink_to(Path(support.BINARY).resolve())   # and no golden pictures
+        small = {"SIZES": "48x27 96x54", "SCENES": "sky-only no-such-scene", "LARGE_SCENES": "", "PICTURES": "first-light", "ONLY": "horizon, inwards",
+                 "FILM": "sky-only", "FILM_FRAMES": "2", "FILM_SIZE": "96x54", "CONTEXT": self.contexts()[0], "PROGRAMS": str(programs)}
+        subprocess.run([scripts / "gpu_measure.sh", self.folder / "measured"], env={**os.environ, **small}, capture_output=True, check=True)
+        done = subprocess.run([sys.executable, "-B", scripts / "gpu_figures.py", "trial", self.folder / "measured", "--folder", self.folder],
+                              capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1, done.stderr)   # one scene cannot be measured, all others are
         text = (self.folder / "trial.md").read_text()
+        self.assertIn("| frames fragment 48x27 no-such-scene | exit status 2 |", text)
         (renderer,) = re.findall(r"^# Figures of (.+)$", text, re.MULTILINE)
         self.assertIn(renderer, self.run_nullscope("info").out)
-        (times,) = re.findall(r"\| A black hole and the sky \| ([0-9.]+) \| ([0-9.]+) \| [0-9.]+ \|\n\n## Rays", text)
+        (times,) = re.findall(r"\| sky-only \| ([0-9.]+) \| ([0-9.]*) \| ([0-9.]+) \| ([0-9.]*) \|\n\n## Rays", text)
         self.assertGreater(float(times[0]), 0.0)
+        self.assertRegex(text, r"\| sky-only \| fragment \| 96x54 \| [0-9.]+ \| [0-9]+ % \|")
+        self.assertRegex(text, r"\| First light \| 2000 \| 0\.")
         self.assertIn("1e-4 above the horizon, inwards", text)
         self.assertFalse(list(self.folder.glob("*.part")))
 
