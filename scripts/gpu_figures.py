@@ -31,8 +31,9 @@ class Measured:
             path = match and folder / f"frames-{match[1]}-{match[2]}-{match[3]}.json"
             if match and path.exists():
                 self.frames[match.groups()] = json.loads(path.read_text())[0]
-        hard = folder / "hard.json"
-        self.hard = json.loads(hard.read_text()) if hard.exists() else []
+        read = lambda name: json.loads((folder / name).read_text()) if (folder / name).exists() else []
+        self.hard = read("hard.json")
+        self.arithmetic = {row["stage"]: row["operations_a_second"] for row in read("arithmetic.json")}
         self.pictures = [json.loads(path.read_text())[0] for path in sorted(folder.glob("pictures-*.json"))]
         self.films = [(scene, stage, size, int(frames), float(end) - float(begun))
                       for scene, stage, size, frames, begun, end in lines_of(folder / "film.tsv")]
@@ -68,9 +69,13 @@ def rays(data):
                 continue
             width, height = map(int, size.split("x"))
             floor = data.frames[STAGES[0], size, scene]["floor_gpu_ms"]
-            lines.append([scene, size, *(f"{width * height / each / 1e6:.3f}" for each in ms), f"{ms[0] / ms[1]:.2f}", f"{ms[0] / floor:.2f}"])
+            worth = [f"{data.arithmetic[stage] * 1e-3 * each / (width * height):.0f}" if stage in data.arithmetic else ""
+                     for stage, each in zip(STAGES, ms)]
+            lines.append([scene, size, *(f"{width * height / each / 1e6:.3f}" for each in ms), f"{ms[0] / ms[1]:.2f}", f"{ms[0] / floor:.2f}", *worth])
             break
-    return table(["scene", "size", *STAGES, "fragment over compute", "fragment over flat"], lines)
+    peak = ", ".join(f"{stage} {1e-12 * value:.3g}" for stage, value in data.arithmetic.items()) or "not measured"
+    return f"10^12 operations a second that do nothing else (`nullscope bench arithmetic`): {peak}.\n\n" + table(
+        ["scene", "size", *STAGES, "fragment over compute", "fragment over flat", *(f"operations in its time, {stage}" for stage in STAGES)], lines)
 
 
 def before(data):
@@ -139,7 +144,7 @@ GPU time by timer queries, ms, of a frame in flight, whose edges have no more ra
 {times(data)}
 ## Rays
 
-10^9 rays a second, one a pixel, at the largest size that was measured.
+10^9 rays a second, one a pixel, at the largest size that was measured; and how many operations the stage could have done in a ray's time.
 
 {rays(data)}
 ## Before the first frame

@@ -59,6 +59,7 @@ draw_film() { # STAGE
 export -f draw_film
 export nullscope out film film_size film_frames context
 step info "$nullscope" info
+step arithmetic "$nullscope" bench arithmetic --size "${sizes%% *}" --frames "$frames" --context "$context" --json "$out/arithmetic.json"
 for size in $sizes; do
     # shellcheck disable=SC2086   # several scenes
     frames_of "$size" $scenes

@@ -10,7 +10,7 @@ namespace nullscope::cli {
 void add_bench(Command& parent) {
     Command& bench = parent.add_command("bench", "Measure time and accuracy");
     for (const auto add : {add_bench_frames, add_bench_accuracy, add_bench_hard, add_bench_soak, add_bench_metrics,
-                           add_bench_pictures, add_bench_spin, add_bench_rays})
+                           add_bench_pictures, add_bench_spin, add_bench_rays, add_bench_arithmetic})
         add(bench);
 }
 

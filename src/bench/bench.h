@@ -21,6 +21,7 @@ void add_bench_metrics(Command& bench);
 void add_bench_pictures(Command& bench);
 void add_bench_spin(Command& bench);
 void add_bench_rays(Command& bench);
+void add_bench_arithmetic(Command& bench);
 
 struct BenchOptions {
     std::vector<std::string> scenes;

@@ -227,6 +227,13 @@ class Commands(support.CliTest):
         self.assertGreater(row["host_core_ms"], 2 * row["host_at_rest_core_ms"])
         self.assertGreater(row["frame_core_ms"], row["host_core_ms"])
 
+    def test_bench_counts_operations(self):
+        self.run_nullscope("bench", "arithmetic", "--size", "64x64", "--frames", "9", "--json", "a.json")
+        rows = json.loads((self.folder / "a.json").read_text())
+        self.assertEqual(rows[0]["stage"], "fragment")
+        for row in rows:   # 64 rounds of 8 x 4 multiplications and additions of four numbers
+            self.assertAlmostEqual(row["operations_a_second"] * row["gpu_ms"] * 1e-3 / (64 * 8 * 4 * 8 * 64 * 64), 1.0, delta=1e-4)
+
     @unittest.skipIf(support.QUICK, "six processor seconds: with --all")
     def test_figures_of_a_gpu(self):
         scripts, programs = Path(__file__).resolve().parents[2] / "scripts", self.folder / "programs"
@@ -244,6 +251,7 @@ class Commands(support.CliTest):
         self.assertIn(renderer, self.run_nullscope("info").out)
         (times,) = re.findall(r"\| sky-only \| ([0-9.]+) \| ([0-9.]*) \| ([0-9.]+) \| ([0-9.]*) \|\n\n## Rays", text)
         self.assertGreater(float(times[0]), 0.0)
+        self.assertRegex(text, r"do nothing else \(`nullscope bench arithmetic`\): fragment [0-9.]+")
         self.assertRegex(text, r"\| sky-only \| fragment \| 96x54 \| [0-9.]+ \| [0-9]+ % \|")
         self.assertRegex(text, r"\| First light \| 2000 \| 0\.")
         self.assertIn("1e-4 above the horizon, inwards", text)
