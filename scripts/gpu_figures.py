@@ -35,8 +35,8 @@ class Measured:
         self.hard = read("hard.json")
         self.arithmetic = {row["stage"]: row["operations_a_second"] for row in read("arithmetic.json")}
         self.pictures = [json.loads(path.read_text())[0] for path in sorted(folder.glob("pictures-*.json"))]
-        self.films = [(scene, stage, size, int(frames), float(end) - float(begun))
-                      for scene, stage, size, frames, begun, end in lines_of(folder / "film.tsv")]
+        self.films = [(scene, stage, workers, size, int(frames), float(end) - float(begun))
+                      for scene, stage, workers, size, frames, begun, end in lines_of(folder / "film.tsv")]
         processor = folder / "processor.txt"
         self.processor = processor.read_text().strip() if processor.exists() else "unknown"
         self.golden = [line for line in (folder / "log.txt").read_text(errors="replace").splitlines() if line.startswith("[doctest]")][-3:]
@@ -107,10 +107,10 @@ def pictures(data):
 
 def films(data):
     lines = []
-    for scene, stage, size, frames, seconds in data.films:
+    for scene, stage, workers, size, frames, seconds in data.films:
         ms = data.gpu_ms(stage, size, scene)
-        lines.append([scene, stage, size, f"{frames / seconds:.2f}", f"{100 * frames * ms / 1e3 / seconds:.0f} %" if ms else ""])
-    return table(["scene", "stage", "size", "frames a second", "GPU busy"], lines) if lines else "Not measured.\n"
+        lines.append([scene, stage, workers, size, f"{frames / seconds:.2f}", f"{100 * frames * ms / 1e3 / seconds:.0f} %" if ms else ""])
+    return table(["scene", "stage", "processes", "size", "frames a second", "GPU busy"], lines) if lines else "Not measured.\n"
 
 
 def left_out(data):
@@ -154,7 +154,7 @@ ms: tables on the processor; tables, pictures and their upload together; the fir
 {before(data)}
 ## A sequence of pictures
 
-PNG files by `nullscope capture --frames`, with what comes before the first; GPU busy: time of its frames by the table above over the clock's.
+PNG files by `nullscope capture --frames --workers`, with what comes before the first; GPU busy: time of its frames by the table above over the clock's.
 
 {films(data)}
 ## Errors against the reference

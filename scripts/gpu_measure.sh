@@ -46,13 +46,13 @@ frames_of() { # SIZE SCENE...
     done
 }
 
-# Wall seconds of a sequence of pictures, PNG files, by each stage.
-draw_film() { # STAGE
+# Wall seconds of a sequence of pictures, PNG files: by one process, which waits for each picture, and by several, which draw while others wait.
+draw_film() { # STAGE WORKERS
     local folder begun
     folder=$(mktemp -d) begun=$(date +%s.%N)
-    "$nullscope" capture "$film" --size "$film_size" --context "$context" --stage "$1" --time-step 0.5 --frames "0:$film_frames" \
-        -o "$folder/%04d.png" || { rm -rf "$folder"; return 1; }
-    printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$film" "$1" "$film_size" "$film_frames" "$begun" "$(date +%s.%N)" >>"$out/film.tsv"
+    "$nullscope" capture "$film" --size "$film_size" --context "$context" --stage "$1" --workers "$2" --time-step 0.5 \
+        --frames "0:$film_frames" -o "$folder/%04d.png" || { rm -rf "$folder"; return 1; }
+    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$film" "$1" "$2" "$film_size" "$film_frames" "$begun" "$(date +%s.%N)" >>"$out/film.tsv"
     rm -rf "$folder"
 }
 
@@ -65,7 +65,9 @@ for size in $sizes; do
     frames_of "$size" $scenes
 done
 step hard "$nullscope" bench hard --only "${ONLY-}" --json "$out/hard.json"
-for stage in fragment compute; do step "film $stage" bash -c "draw_film $stage"; done
+for workers in 1 4; do
+    for stage in fragment compute; do step "film $stage $workers" bash -c "draw_film $stage $workers"; done
+done
 # shellcheck disable=SC2086
 frames_of "$large_size" $large
 for scene in $pictures; do

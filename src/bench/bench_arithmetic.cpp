@@ -27,7 +27,8 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 std::string worked_text() {
     std::string body;
     for (int line = 0; line < kLines; ++line)
-        for (int chain = 0; chain < kChains; ++chain) body += fmt::format("        c{0} = c{0} * factor + step;\n", chain);
+        for (int chain = 0; chain < kChains; ++chain)
+            body += fmt::format("        c{0} = c{0} * factor + step;\n", chain);
     std::string text = R"(uniform int rounds;
 uniform int thousandths;
 vec4 worked(vec2 place) {
@@ -60,7 +61,8 @@ Json row_of_stage(const Bench& bench, const std::string& stage, int frames, cons
     Samples samples;
     Progress progress("arithmetic, " + stage, frames);
     for (int i = 0; i < frames; ++i, progress.advance()) time_one(samples, draw);
-    const double gpu_ms = median(samples.gpu_ms), pixels = static_cast<double>(bench.target.width) * bench.target.height,
+    const double gpu_ms = median(samples.gpu_ms),
+                 pixels = static_cast<double>(bench.target.width) * bench.target.height,
                  operations = kOperationsALine * kChains * kLines * kRounds * pixels / (1e-3 * gpu_ms);
     fmt::print("{:<9} {:.4g} x 10^12 operations a second ({:.3f} ms)\n", stage, 1e-12 * operations, gpu_ms);
     return Json{{"stage", stage},
@@ -89,9 +91,8 @@ Status run_arithmetic(const BenchOptions& options) {
         const gl::ComputeProgram compute = gl::make_compute_program(compute_text(), {.format = stored->format});
         if (!compute.refusal.empty()) return failed(compute.refusal);
         asked(compute.program);
-        rows.push_back(row_of_stage(*bench, kComputeStage, options.frames, [&] {
-            gl::compute_rows(compute.program, *stored, kGroupSide, 0, target.height);
-        }));
+        rows.push_back(row_of_stage(*bench, kComputeStage, options.frames,
+                                    [&] { gl::compute_rows(compute.program, *stored, kGroupSide, 0, target.height); }));
     } else {
         fmt::print("compute   needs OpenGL 4.3\n");
     }
@@ -103,7 +104,8 @@ Status run_arithmetic(const BenchOptions& options) {
 void add_bench_arithmetic(Command& bench) {
     auto [command, options] = add_command<BenchOptions>(
         bench, "arithmetic",
-        "Operations a second that fragment and compute shaders do at most, a multiplication and an addition being two", run_arithmetic);
+        "Operations a second that fragment and compute shaders do at most, a multiplication and an addition being two",
+        run_arithmetic);
     draw_options(command, options, 9);
     json_option(command, options);
 }

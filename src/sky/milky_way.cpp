@@ -52,7 +52,8 @@ struct Places {
 };
 
 // Bilinear, as the map's pixels are twice as wide as the grid's cells. Columns are periodic, rows clamped.
-NULLSCOPE_WITHIN_LANES void sample(const Image<float>& map, float place_x, float place_y, float scale, float* red, std::size_t plane) {
+NULLSCOPE_WITHIN_LANES void sample(const Image<float>& map, float place_x, float place_y, float scale, float* red,
+                                   std::size_t plane) {
     const float x = std::max(place_x + 0.5f, 0.0f);  // one more than the pixel's number: a cast is floor
     const float y = std::clamp(place_y - 0.5f, 0.0f, static_cast<float>(map.height - 1));
     const int right = static_cast<int>(x), x1 = right < map.width ? right : 0,

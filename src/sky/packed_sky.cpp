@@ -46,7 +46,8 @@ NULLSCOPE_WITHIN_LANES void pack_all(const Planes& planes, std::size_t count, fl
 }
 
 // Planes of width x rows; `out` of bytes, aligned for any texel.
-NULLSCOPE_WIDE_LANES void pack_planes(const Planes& planes, std::size_t count, const SkyPacking& packing, std::byte* out) {
+NULLSCOPE_WIDE_LANES void pack_planes(const Planes& planes, std::size_t count, const SkyPacking& packing,
+                                      std::byte* out) {
     const auto scale = static_cast<float>(packing.scale);
     if (packing.format == SkyFormat::kHalfFloats)
         pack_all(planes, count, scale, reinterpret_cast<std::uint64_t*>(out));

@@ -4,7 +4,8 @@
 
 #ifdef NULLSCOPE_TARGET_CLONES
 #define NULLSCOPE_WIDE_LANES __attribute__((target_clones("avx2", "default")))
-#define NULLSCOPE_WITHIN_LANES __attribute__((always_inline)) inline  // a function of its own would be compiled once, for the lesser one
+#define NULLSCOPE_WITHIN_LANES \
+    __attribute__((always_inline)) inline  // a function of its own would be compiled once, for the lesser one
 #else
 #define NULLSCOPE_WIDE_LANES
 #define NULLSCOPE_WITHIN_LANES inline

@@ -252,7 +252,7 @@ class Commands(support.CliTest):
         (times,) = re.findall(r"\| sky-only \| ([0-9.]+) \| ([0-9.]*) \| ([0-9.]+) \| ([0-9.]*) \|\n\n## Rays", text)
         self.assertGreater(float(times[0]), 0.0)
         self.assertRegex(text, r"do nothing else \(`nullscope bench arithmetic`\): fragment [0-9.]+")
-        self.assertRegex(text, r"\| sky-only \| fragment \| 96x54 \| [0-9.]+ \| [0-9]+ % \|")
+        self.assertRegex(text, r"\| sky-only \| fragment \| 4 \| 96x54 \| [0-9.]+ \| [0-9]+ % \|")
         self.assertRegex(text, r"\| First light \| 2000 \| 0\.")
         self.assertIn("1e-4 above the horizon, inwards", text)
         self.assertFalse(list(self.folder.glob("*.part")))
