@@ -15,6 +15,7 @@
 #include "command/json.h"
 #include "compare/hard_cases.h"
 #include "compare/ray_metrics.h"
+#include "gl/compute.h"
 #include "reference/reference.h"
 
 namespace nullscope::cli {
@@ -25,7 +26,16 @@ struct HardBench {
 };
 
 constexpr double kRefineHardAbove_px = 1e-5;  // below every bound of the list but those of frames of a pixel or two
-constexpr std::array<const char*, 4> kImplementations = {"core64", "core32", "egl", "osmesa"};
+struct Implementation {
+    const char *name, *heading;
+    const char* context;   // null: the shader's text in C++
+    bool compute = false;  // by compute shaders, where the driver has them
+};
+constexpr std::array<Implementation, 5> kImplementations = {{{"core64", "core64", nullptr},
+                                                             {"core32", "core32", nullptr},
+                                                             {"egl", "EGL", "egl"},
+                                                             {"osmesa", "OSMesa", "osmesa"},
+                                                             {"compute", "compute", "egl", true}}};
 
 struct Measured {
     HardBound bound, error;  // px
@@ -90,12 +100,15 @@ Status measure_on_cpu(std::vector<HardRow>& rows) {
 }
 
 Status measure_on_gpu(std::vector<HardRow>& rows, std::size_t at) {
-    auto session = open_session(kImplementations[at]);
-    if (!session) {
-        fmt::print(stderr, "nullscope: {}: column left empty\n", session.error().message());
+    const Implementation& by = kImplementations[at];
+    auto session = open_session(by.context);
+    if (!session || (by.compute && !gl::computes())) {
+        fmt::print(stderr, "nullscope: {}: column {} left empty\n",
+                   session ? "this OpenGL is older than 4.3" : session.error().message(), by.heading);
         return Done{};
     }
-    Progress progress(fmt::format("hard cases, {}", kImplementations[at]), static_cast<long long>(rows.size()));
+    session->renderer->compute(by.compute);
+    Progress progress(fmt::format("hard cases, {}", by.heading), static_cast<long long>(rows.size()));
     for (HardRow& row : rows) {
         session->renderer->set_method(Method{.cubic = hard_cubic(row.hard->scene)});
         TRY(ready, session->renderer->prepare(row.hard->scene));
@@ -136,8 +149,8 @@ std::string cell(const std::optional<Measured>& m, bool disc) {
 
 void print_hard(const std::vector<HardRow>& rows) {
     fmt::print(
-        "| case | why it is hard | bound px | reference | core64 | core32 | EGL | OSMesa "
-        "|\n|---|---|---|---|---|---|---|---|\n");
+        "| case | why it is hard | bound px | reference | core64 | core32 | EGL | OSMesa | compute "
+        "|\n|---|---|---|---|---|---|---|---|---|\n");
     for (const HardRow& row : rows) {
         const bool disc = row.hard->scene.disc.has_value();
         const HardBound bound = hard_bound(row.hard->scene, row.exact);
@@ -153,7 +166,7 @@ void print_hard(const std::vector<HardRow>& rows) {
         double most = -1;
         for (const HardRow& row : rows)
             if (row.by[i]) most = std::max(most, row.by[i]->over_bound());
-        if (most >= 0) fmt::print(" {} {:.2f}", kImplementations[i], most);
+        if (most >= 0) fmt::print(" {} {:.2f}", kImplementations[i].heading, most);
     }
     fmt::print("\n");
 }
@@ -168,7 +181,7 @@ Json hard_json(const HardRow& row) {
     for (std::size_t i = 0; i < kImplementations.size(); ++i) {
         if (!row.by[i]) continue;
         const Measured& m = *row.by[i];
-        o[kImplementations[i]] = {{"bound", hard_json(m.bound)},
+        o[kImplementations[i].name] = {{"bound", hard_json(m.bound)},
                                   {"error", hard_json(m.error)},
                                   {"fate_errors", m.fate_errors},
                                   {"not_finite", m.not_finite},
@@ -185,7 +198,8 @@ Result<int> run_hard(const HardBench& options) {
     if (rows.empty()) return bad_input(fmt::format("no hard case has \"{}\" in its name", options.only));
     TRY(read, read_reference(options.reference, rows));
     TRY(on_cpu, measure_on_cpu(rows));
-    for (const std::size_t at : {std::size_t{2}, std::size_t{3}}) {
+    for (std::size_t at = 0; at < kImplementations.size(); ++at) {
+        if (kImplementations[at].context == nullptr) continue;
         TRY(on_gpu, measure_on_gpu(rows, at));
     }
     print_hard(rows);

@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "compare/heat_map.h"
 #include "compare/image_metrics.h"
+#include "gl/compute.h"
 #include "golden/golden_case.h"
 #include "image/image_file.h"
 #include "scene/split.h"
@@ -132,7 +133,14 @@ Image<unsigned char> bytes_of(const Image<float>& linear) {
     return bytes;
 }
 
-void run_case(const GoldenCase& golden, GpuSession& session, MeasuredOnce& measured) {
+// Of all cases of this program, by fragments and by compute shaders.
+MeasuredOnce& measured_rays() {
+    static MeasuredOnce measured;
+    return measured;
+}
+
+// compute: by compute shaders, as far as its parts have them.
+void run_case(const GoldenCase& golden, GpuSession& session, MeasuredOnce& measured, bool compute = false) {
     if (golden.contexts.find(session.context->kind()) == std::string::npos) return;
     auto scene = golden_scene(golden);
     const std::string reason = scene ? "" : scene.error().message();
@@ -141,6 +149,7 @@ void run_case(const GoldenCase& golden, GpuSession& session, MeasuredOnce& measu
     const auto wanted = load_image(file);
     REQUIRE_MESSAGE(static_cast<bool>(wanted), "no golden picture: scripts/update-goldens.sh makes " << file.string());
     session.renderer = std::make_unique<Renderer>();
+    session.renderer->compute(compute);
     const auto split = halves(*scene);
     Outcome colours;
     const std::vector<Scene> parts = split ? std::vector<Scene>{split->left, split->right} : std::vector<Scene>{*scene};
@@ -167,7 +176,6 @@ void run_case(const GoldenCase& golden, GpuSession& session, MeasuredOnce& measu
 }
 
 TEST_CASE("every case is as the reference draws it") {
-    MeasuredOnce measured;
     on_every_context([&](GpuSession& session) {
         int number = 0;
         Selection selection(5);
@@ -176,7 +184,25 @@ TEST_CASE("every case is as the reference draws it") {
             CAPTURE(golden.name);
             if (session.context->kind() == std::string("osmesa") && number++ % 3 != 0 && !everything_asked())
                 continue;  // that both draw the same bits has a test
-            run_case(golden, session, measured);
+            run_case(golden, session, measured_rays());
+        }
+    });
+}
+
+// Some of them: that all are the same picture as by fragments has a test of its own (gpu/test_compute.cpp).
+TEST_CASE("cases are as the reference draws them by compute shaders too") {
+    const int step = by_depth(25, 5, 1);
+    on_one_context([&](GpuSession& session) {
+        if (!gl::computes()) {
+            MESSAGE("this OpenGL is older than 4.3");
+            return;
+        }
+        int number = 0;
+        for (const GoldenCase& golden : golden_cases()) {
+            if (number++ % step != 0) continue;
+            CAPTURE(golden.name);
+            run_case(golden, session, measured_rays(), true);
+            CHECK(session.renderer->computed().drawn() > 0);
         }
     });
 }
