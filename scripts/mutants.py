@@ -39,6 +39,8 @@ MUTANTS = [Mutant(*row) for row in [
      "flat_{0} = frame.{0};", "flat_{0} = 1.001 * frame.{0};", ("gpu_tests", "uniform block*")),
     ("tile-list", "one of a list of tiles is left out", "shaders/shared/thread.glsl",
      "return thread_group() < tile_list.tiles;", "return thread_group() + 1u < tile_list.tiles;", ("gpu_tests", "compute: whatever*")),
+    ("patch-tile", "pixels with more rays, by compute, drawn as the next tile's are", "shaders/stage/patch.glsl",
+     "patch_listed[number]) / TILE_SIDE", "patch_listed[number] + 8.0) / TILE_SIDE", ("gpu_tests", "compute: pixels*")),
     ("glow-sense", "a body's motion the wrong way in its shift", "shaders/planar/glow.glsl",
      "float frequency = 1.0 + dot(back, w);", "float frequency = 1.0 - dot(back, w);", GLOW),
     ("glow-drag", "a body about a rotating hole without dragging of what measures it", "shaders/mino/glow.glsl",

@@ -22,7 +22,7 @@
 
 #ifdef EFFECT_REFINE
 #ifdef BY_COMPUTE
-const vec2 patch_shift = vec2(0.0);   // pixels with more rays are drawn by fragments
+vec2 patch_shift = vec2(0.0);   // stage/patch.glsl
 #else
 flat in highp vec2 patch_shift;   // stage/tile_point.glsl
 #endif

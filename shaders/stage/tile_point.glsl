@@ -1,23 +1,12 @@
 // Tiles of the picture drawn as points, numbered by rows from below. Where pixels are drawn again with more rays a point is a patch of these rays, in
 // a target of its own (render/ray_patches.h): a tile's program draws those that are in the tile.
-#include "effect/sampling.glsl"
 #include "generated/tiles"
 
 #ifdef EFFECT_REFINE
+#include "stage/patch_place.glsl"
+
 layout(location = 0) in highp vec2 patch_pixel;   // column, and row from below, of its lowest left pixel
 flat out highp vec2 patch_shift;                  // from a fragment to its ray's place in the picture, which is as fine as the rays lie
-
-bool draws_patches() { return sampling_rays() > 1.0; }
-
-// Pixels along its side.
-float patch_pixels() { return sampling_rays() < 4.0 ? 2.0 : 1.0; }
-
-// Its lower left corner in the target. Software drivers shade blocks of 4 x 4 fragments.
-vec2 patch_corner(int number) {
-    int step = (int(patch_pixels() * sampling_rays()) + 3) / 4 * 4;
-    int across = PATCHES_SIDE / step;
-    return float(step) * vec2(float(number % across), float(number / across));
-}
 #endif
 
 // The tile that a point is, or that its pixel is in.
@@ -38,7 +27,7 @@ void place_point(int number, ivec2 tiles, bool drawn) {
         vec2 corner = patch_corner(number);
         gl_PointSize = patch_pixels() * sampling_rays();
         middle = (2.0 * corner + gl_PointSize) * (1.0 / float(PATCHES_SIDE)) - 1.0;
-        patch_shift = sampling_rays() * patch_pixel - corner;
+        patch_shift = patch_shift_of(number, patch_pixel);
     }
 #endif
     gl_Position = drawn ? vec4(middle, 0.0, 1.0) : vec4(2.0, 2.0, 0.0, 1.0);

@@ -1,8 +1,11 @@
 // The picture by compute, a thread a pixel: what stage/trace.frag draws. Tiles are the picture's own where it is drawn in tiles.
 #include "shared/thread.glsl"
 #include "stage/traced_pixel.glsl"
-#ifdef TILES_WITH_BODIES
+#ifdef DRAWS_TILES
 uniform highp sampler2D tile_texture;   // stage/tiles.frag
+#endif
+#ifdef EFFECT_REFINE
+#include "stage/patch.glsl"
 #endif
 
 layout(binding = 0, PICTURE_FORMAT) uniform image2D picture_image;
@@ -17,12 +20,37 @@ void put_pixel(ivec2 pixel, vec4 colour) {
     imageStore(picture_image, pixel, colour);
 }
 
-void main() {
+// Whether there is something to draw; the same for all of the group.
+bool begin_group() {
+#ifdef EFFECT_REFINE
+    if (thread_in_patches()) return patch_in_group();
+#endif
 #ifdef DRAWS_TILES
-    if (!thread_draws()) return;   // all of the group
+    return thread_draws();
+#else
+    return true;
+#endif
+}
+
+void main() {
+    if (!begin_group()) return;
+    bool draws = true;
 #ifdef TILES_WITH_BODIES
-    tile_set = texelFetch(tile_texture, thread_tile(), 0);
+    ivec2 tile = thread_tile();
 #endif
+#ifdef EFFECT_REFINE
+    if (thread_in_patches()) {
+        int number = patch_of_thread();
+        patch_shift = patch_shift_of(number, patch_listed[number]);
+        draws = patch_has_thread();
+#ifdef TILES_WITH_BODIES
+        tile = patch_tile(number);
 #endif
-    put_pixel(thread_pixel(), traced_pixel());
+    }
+#endif
+#ifdef TILES_WITH_BODIES
+    tile_set = texelFetch(tile_texture, tile, 0);
+#endif
+    vec4 colour = traced_pixel();
+    if (draws) put_pixel(thread_pixel(), colour);
 }

@@ -182,10 +182,10 @@ Json hard_json(const HardRow& row) {
         if (!row.by[i]) continue;
         const Measured& m = *row.by[i];
         o[kImplementations[i].name] = {{"bound", hard_json(m.bound)},
-                                  {"error", hard_json(m.error)},
-                                  {"fate_errors", m.fate_errors},
-                                  {"not_finite", m.not_finite},
-                                  {"error_over_bound", m.over_bound()}};
+                                       {"error", hard_json(m.error)},
+                                       {"fate_errors", m.fate_errors},
+                                       {"not_finite", m.not_finite},
+                                       {"error_over_bound", m.over_bound()}};
     }
     o["within"] = row.within();
     return o;

@@ -52,12 +52,15 @@ void bind_layer(const Program& program, const StoredImage& to, int first, int la
 // What a list begins with (shaders/shared/tile_list.glsl): nothing, in no group.
 constexpr GLuint kNoTiles[] = {0, 0, 1, 1};
 constexpr int kListThreads = 64;
+constexpr GLuint kPatchList = 1;  // shaders/stage/patch.glsl
 
 // llvmpipe draws a block of 2 x 2 threads as one vector: what one of them stores the others see at once. With barrier() it keeps what lives in
 // loops in memory, which costs 1.4 times as much.
 bool draws_in_step() { return names_llvmpipe(info().renderer); }
 
 }  // namespace
+
+bool skips_groups() { return !names_llvmpipe(info().renderer); }
 
 bool computes() {
     const GLint major = integer_of(GL_MAJOR_VERSION), minor = integer_of(GL_MINOR_VERSION);
@@ -142,6 +145,13 @@ void compute_tiles(const Program& program, const StoredImage& to, const TileList
                    const Layer& layer) {
     bind_layer(program, to, first, last, layer);
     tiles.dispatch(program);
+}
+
+void compute_patches(const Program& program, const StoredImage& to, const VertexList& patches, int side, int last) {
+    bind_layer(program, to, 0, last, {});
+    set_integer(program, "patch_count", patches.count);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPatchList, patches.data.id());
+    dispatch(program, to.width, side, 0, last);
 }
 
 void compute_rows(const Program& program, const Target& to, int side, int first, int last) {

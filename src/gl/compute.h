@@ -10,6 +10,9 @@ namespace nullscope::gl {
 // Has the current context compute shaders?
 bool computes();
 
+// Do groups that return at once cost little? llvmpipe runs all of a text for them.
+bool skips_groups();
+
 // What a framebuffer draws to. Nothing: the window, or what no shader stores to.
 struct StoredImage {
     unsigned texture = 0;
@@ -57,6 +60,8 @@ void compute_rows(const Program& program, const StoredImage& to, int side, int f
 // The same, of listed tiles alone.
 void compute_tiles(const Program& program, const StoredImage& to, const TileList& tiles, int first, int last,
                    const Layer& layer = {});
+// Patches of rays in an image of their own (render/ray_patches.h), in its rows up to but not including last.
+void compute_patches(const Program& program, const StoredImage& to, const VertexList& patches, int side, int last);
 // The same of images of numbers, all colours of a target, which the program numbers by their bindings.
 void compute_rows(const Program& program, const Target& to, int side, int first, int last);
 

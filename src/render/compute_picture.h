@@ -16,9 +16,12 @@ class ComputePicture {
 public:
     using Key = std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>;
 
-    void want(bool wanted) { wanted_ = wanted; }
+    void want(bool wanted, bool patches) { wanted_ = wanted, patches_ = wanted && patches; }
     // Is what this stage draws to be computed, as far as is known before its program is there?
     bool wants(Stage stage) const { return wanted_ && computes(stage) && gl::computes(); }
+
+    // The same of pixels that are drawn again with more rays.
+    bool wants_patches(Stage stage) const { return patches_ && wants(stage); }
 
     // Of a stage that it wants, to store like this; made by the first call. nullptr: the driver refuses it, fragments draw it.
     const gl::Program* program(const Key& key, gl::Stored stored, const std::function<std::string()>& text,
@@ -40,7 +43,7 @@ private:
     gl::Program made(const std::string& text, gl::Stored stored,
                      const std::function<void(const gl::Program&)>& name_inputs);
 
-    bool wanted_ = false, told_ = false;
+    bool wanted_ = false, patches_ = false, told_ = false;
     int drawn_ = 0;
     std::map<Stage, gl::Program> lists_;
     gl::TileList list_;

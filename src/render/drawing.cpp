@@ -85,7 +85,7 @@ void Renderer::refine_rows(const Drawing& drawing) {
             [&](const gl::VertexList& pixels, const gl::Target& rays) {
                 bind_inputs();
                 for (const Pass& pass : drawing.passes)
-                    if (draws_picture(pass.stage))
+                    if (draws_picture(pass.stage) && !compute_patches(pass, pixels, rays, rays_along))
                         gl::draw_listed_points(picture_program(pass), pixels, rays.framebuffer.id(), rays.width,
                                                rays.height);
             },

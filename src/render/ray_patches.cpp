@@ -7,13 +7,13 @@
 namespace nullscope {
 namespace {
 
-// Patches in the target, as stage/tile_point.glsl places them.
-int most_patches(int side) {
-    const int rays = patch_pixels(side) * side, step = (rays + 3) / 4 * 4, across = kPatchesSide / step;
-    return across * across;
-}
+int patches_across(int side) { return kPatchesSide / patch_step(side); }
 
 }  // namespace
+
+int patch_rows(int side, int count) {
+    return (count + patches_across(side) - 1) / patches_across(side) * patch_step(side);
+}
 
 void RayPatches::resize(gl::Format format) {
     if (rays_.width > 0 && format == format_) return;
@@ -22,7 +22,7 @@ void RayPatches::resize(gl::Format format) {
 }
 
 void RayPatches::draw(int side, const std::vector<float>& pixels, const Draw& draw, const Draw& to_picture) const {
-    const std::ptrdiff_t most = 2 * most_patches(side);
+    const std::ptrdiff_t most = std::ptrdiff_t{2} * patches_across(side) * patches_across(side);
     for (auto first = pixels.begin(); first != pixels.end();) {
         const auto last = first + std::min(most, pixels.end() - first);
         const gl::VertexList list = gl::make_vertex_list({first, last}, {2});

@@ -11,6 +11,10 @@ namespace nullscope {
 // Pixels along a side of a patch, of side x side rays a pixel.
 constexpr int patch_pixels(int side) { return side < 4 ? 2 : 1; }
 
+// From one to the next in the target, rays, and the target's rows that hold so many, as shaders/stage/patch_place.glsl has them.
+constexpr int patch_step(int side) { return (patch_pixels(side) * side + 3) / 4 * 4; }
+int patch_rows(int side, int count);
+
 class RayPatches {
 public:
     void resize(gl::Format format);  // of the picture's light; texels: kPatchesSide squared

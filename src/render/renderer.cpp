@@ -188,6 +188,16 @@ const gl::Program& Renderer::picture_program(const Pass& pass) {
     return built;
 }
 
+// The same of pixels that are drawn again with side x side rays.
+bool Renderer::compute_patches(const Pass& pass, const gl::VertexList& pixels, const gl::Target& rays, int side) {
+    const auto image = computed_.wants_patches(pass.stage) ? gl::stored_image(rays.framebuffer.id()) : std::nullopt;
+    const gl::Program* built = image ? compute_program(pass.stage, pass.output, {image->format, false}) : nullptr;
+    if (built == nullptr) return false;
+    if (pass.output == Output::kLayers) gl::set_integer(*built, "layer_shown", static_cast<int>(layer_));
+    gl::compute_patches(*built, *image, pixels, kTileSide, patch_rows(side, pixels.count));
+    return true;
+}
+
 void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int height, int first, int last,
                             const gl::Layer& layer) {
     if (compute_picture(pass, picture, first, last, layer)) return;

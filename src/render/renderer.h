@@ -70,8 +70,10 @@ public:
     void flatten_frame(bool wanted) { flat_frame_ = wanted; }
 
     // Whether pictures and rays are traced by compute shaders, where a stage and the driver have them (shaderlib's computes(), gl::computes()):
-    // the same functions, the same light. Else by fragments, and take_notes() says why.
-    void compute(bool wanted) { computed_.want(wanted); }
+    // the same functions, the same light. Else by fragments, and take_notes() says why. patches: pixels on edges too, which have more rays; each
+    // of a picture's programs then has a group for all of them.
+    void compute(bool wanted) { computed_.want(wanted, gl::skips_groups()); }
+    void compute(bool wanted, bool patches) { computed_.want(wanted, patches); }
     const ComputePicture& computed() const { return computed_; }
 
     // Whether pixels on edges get more rays, where the scene calls for it; the programs are the same.
@@ -163,6 +165,7 @@ private:
     static void name_inputs(const gl::Program& program);
     const gl::Program* compute_program(Stage stage, Output output, gl::Stored stored);
     bool compute_picture(const Pass& pass, unsigned picture, int first, int last, const gl::Layer& layer);
+    bool compute_patches(const Pass& pass, const gl::VertexList& pixels, const gl::Target& rays, int side);
     bool is_compiled(Stage stage, Output output);  // begins it if it was not
     std::vector<Pass> passes_with(Tiles most, Output output) const;
     std::vector<Pass> picture_passes(Output output) const;

@@ -146,6 +146,32 @@ TEST_CASE("compute: whatever is drawn of a scene is the same by both stages" * t
     }
 }
 
+// In tiles of each kind, and without; of 4, 16 and 36 rays.
+TEST_CASE("compute: pixels with more rays are the same by both stages") {
+    auto session = test::open_gpu("egl");
+    REQUIRE(session);
+    if (!compares()) return;
+    Renderer& renderer = *session->renderer;
+    for (const char* name : {"first-light", "kerr-planet", "saturn"}) {
+        const Scene scene = thumbnail(name);
+        REQUIRE(renderer.prepare(scene));
+        for (const Tiles tiles : {Tiles::kNone, Tiles::kTraced}) {
+            renderer.limit_tiles(tiles);
+            renderer.compute(true, false);
+            const int first = renderer.computed().drawn();
+            const Image<float> by_fragments = renderer.picture();
+            const int whole = renderer.computed().drawn() - first;
+            renderer.compute(true, true);
+            const Image<float> by_compute = renderer.picture();
+            CHECK(renderer.computed().drawn() - first > 2 * whole);
+            CHECK(renderer.refined_share() > 0.02);
+            check_same(differences(by_fragments, by_compute), takes_differences(effect_set(required_effects(scene))),
+                       name);
+        }
+        renderer.limit_tiles(Tiles::kBodies);
+    }
+}
+
 TEST_CASE("compute: lists of rays end alike by both stages") {
     Scene scene = thumbnail("first-light");
     scene.camera.width = 16, scene.camera.height = 9;
@@ -177,7 +203,7 @@ TEST_CASE("compute: a text that the driver refuses is said in a line") {
     REQUIRE(session);
     if (!compares()) return;
     ComputePicture computed;
-    computed.want(true);
+    computed.want(true, false);
     const ComputePicture::Key key(Stage::kPicture, Output::kLinear, {}, {}, "", {});
     const auto none = [](const gl::Program&) {};
     const auto refused = [] { return std::string("layout(local_size_x = 64) in;\nvoid main() { nothing(); }\n"); };
