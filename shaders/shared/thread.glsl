@@ -4,16 +4,12 @@
 
 layout(local_size_x = GROUP_THREADS) in;
 
-#ifdef EFFECT_REFINE
-#include "effect/sampling.glsl"
+#ifdef COMPUTES_PATCHES
+#include "shared/frame.glsl"
 
 // Are pixels drawn again with more rays, in a target of their own (stage/patch.glsl)?
-bool thread_in_patches() { return sampling_rays() > 1.0; }
-#else
-bool thread_in_patches() { return false; }
+bool thread_in_patches() { return frame.sampling.z > 1.0; }   // rays along a side of a pixel
 #endif
-
-uniform int tile_row;   // of tiles, counted from below: the first that is drawn
 
 #ifdef DRAWS_TILES
 #include "shared/tile_list.glsl"
@@ -24,11 +20,15 @@ uint thread_group() { return LIST_ACROSS * gl_WorkGroupID.y + gl_WorkGroupID.x; 
 bool thread_draws() { return thread_group() < tile_list.tiles; }
 
 ivec2 thread_tile() {
+#ifdef COMPUTES_PATCHES
     if (thread_in_patches()) return ivec2(gl_WorkGroupID.xy);
+#endif
     uint tile = tile_list.listed[thread_draws() ? thread_group() : 0u];
     return ivec2(int(tile & 65535u), int(tile >> 16));
 }
 #else
+uniform int tile_row;   // of tiles, counted from below: the first that is drawn
+
 ivec2 thread_tile() { return ivec2(gl_WorkGroupID.xy) + ivec2(0, tile_row); }
 #endif
 

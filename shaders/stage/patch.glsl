@@ -4,6 +4,8 @@
 #include "stage/pixel.glsl"
 #ifdef DRAWS_TILES
 #include "stage/tile_drawn.glsl"
+
+uniform highp sampler2D tile_texture;   // stage/tiles.frag
 #endif
 
 layout(std430, binding = 1) readonly buffer PatchList { vec2 patch_listed[]; };   // column, and row from below, of the lowest left pixel of each

@@ -21,10 +21,14 @@
 #endif
 
 #ifdef EFFECT_REFINE
-#ifdef BY_COMPUTE
+#ifdef COMPUTES_PATCHES
 vec2 patch_shift = vec2(0.0);   // stage/patch.glsl
 #else
+#ifdef BY_COMPUTE
+const vec2 patch_shift = vec2(0.0);   // pixels with more rays are drawn by fragments
+#else
 flat in highp vec2 patch_shift;   // stage/tile_point.glsl
+#endif
 #endif
 
 // Where a fragment's ray lies in the picture that is as fine as the rays of a pixel, from its lower left corner.

@@ -1,11 +1,12 @@
 // The picture by compute, a thread a pixel: what stage/trace.frag draws. Tiles are the picture's own where it is drawn in tiles.
 #include "shared/thread.glsl"
 #include "stage/traced_pixel.glsl"
-#ifdef DRAWS_TILES
+#ifdef COMPUTES_PATCHES
+#include "stage/patch.glsl"
+#else
+#ifdef TILES_WITH_BODIES
 uniform highp sampler2D tile_texture;   // stage/tiles.frag
 #endif
-#ifdef EFFECT_REFINE
-#include "stage/patch.glsl"
 #endif
 
 layout(binding = 0, PICTURE_FORMAT) uniform image2D picture_image;
@@ -20,11 +21,10 @@ void put_pixel(ivec2 pixel, vec4 colour) {
     imageStore(picture_image, pixel, colour);
 }
 
+#ifdef COMPUTES_PATCHES
 // Whether there is something to draw; the same for all of the group.
 bool begin_group() {
-#ifdef EFFECT_REFINE
     if (thread_in_patches()) return patch_in_group();
-#endif
 #ifdef DRAWS_TILES
     return thread_draws();
 #else
@@ -34,23 +34,28 @@ bool begin_group() {
 
 void main() {
     if (!begin_group()) return;
-    bool draws = true;
-#ifdef TILES_WITH_BODIES
     ivec2 tile = thread_tile();
-#endif
-#ifdef EFFECT_REFINE
+    bool draws = true;
     if (thread_in_patches()) {
         int number = patch_of_thread();
         patch_shift = patch_shift_of(number, patch_listed[number]);
-        draws = patch_has_thread();
-#ifdef TILES_WITH_BODIES
         tile = patch_tile(number);
-#endif
+        draws = patch_has_thread();
     }
-#endif
 #ifdef TILES_WITH_BODIES
     tile_set = texelFetch(tile_texture, tile, 0);
 #endif
     vec4 colour = traced_pixel();
     if (draws) put_pixel(thread_pixel(), colour);
 }
+#else
+void main() {
+#ifdef DRAWS_TILES
+    if (!thread_draws()) return;   // all of the group
+#ifdef TILES_WITH_BODIES
+    tile_set = texelFetch(tile_texture, thread_tile(), 0);
+#endif
+#endif
+    put_pixel(thread_pixel(), traced_pixel());
+}
+#endif

@@ -16,7 +16,11 @@ class ComputePicture {
 public:
     using Key = std::tuple<Stage, Output, EffectSet, Method, std::string, BodyText>;
 
-    void want(bool wanted, bool patches) { wanted_ = wanted, patches_ = wanted && patches; }
+    void want(bool wanted, bool patches) {
+        if (patches != patches_) programs_.clear();  // others have no patches, or have them in vain
+        wanted_ = wanted, patches_ = patches;
+    }
+    bool patches() const { return patches_; }
     // Is what this stage draws to be computed, as far as is known before its program is there?
     bool wants(Stage stage) const { return wanted_ && computes(stage) && gl::computes(); }
 

@@ -98,8 +98,8 @@ const gl::Program* Renderer::compute_program(Stage stage, Output output, gl::Sto
     return computed_.program(
         program_key(stage, output), stored,
         [&] {
-            std::string text =
-                compute_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
+            std::string text = compute_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(),
+                                              body_text_, computed_.patches());
             return flat_frame_ ? with_frame_read_once(text, kMostFlatInputs) : text;
         },
         name_inputs);

@@ -296,10 +296,11 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
 }
 
 std::string compute_source(Stage stage, const EffectSet& effects, Output output, const Method& method,
-                           std::string_view metric, const BodyText& bodies) {
+                           std::string_view metric, const BodyText& bodies, bool patches) {
     std::vector<std::string> defines = stage_defines(stage, effects, output, method);
     defines.emplace_back("BY_COMPUTE");
     if (is_in_tiles(stage)) defines.emplace_back("DRAWS_TILES");
+    if (patches && draws_picture(stage) && effects.contains(Effect::kRefine)) defines.emplace_back("COMPUTES_PATCHES");
     const char* root = stage == Stage::kRayData   ? "stage/raydata.comp"
                        : stage == Stage::kRayList ? "stage/ray_list.comp"
                                                   : "stage/trace.comp";

@@ -114,9 +114,11 @@ constexpr bool computes(Stage stage) {
     return stage == Stage::kPicture || stage == Stage::kSkyTiles || stage == Stage::kDiscTiles ||
            stage == Stage::kBodyTiles || stage == Stage::kRayData || stage == Stage::kRayList;
 }
-// What such a stage draws as a compute shader of the same functions, without what it begins with (gl/compute.h).
+// What such a stage draws as a compute shader of the same functions, without what it begins with (gl/compute.h). patches: also pixels that are
+// drawn again with more rays, where the effects have them.
 std::string compute_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
-                           std::string_view metric = "schwarzschild", const BodyText& bodies = {});
+                           std::string_view metric = "schwarzschild", const BodyText& bodies = {},
+                           bool patches = false);
 // And what lists the tiles that it draws, of a stage that is drawn in tiles.
 std::string tile_list_source(Stage stage);
 

@@ -41,15 +41,25 @@ TEST_CASE("compute source: holds nothing that drivers refuse in a compute shader
 
 // Neither effects that are absent nor another picture's code come in by this way: of each scene the texts are as long as each other.
 TEST_CASE("compute source: is as long as the fragment shader's, whatever the scene has") {
-    constexpr long long kOwnBytes = 1200;  // threads, stores, neighbours; 1092 at most
+    constexpr long long kOwnBytes = 1200;    // threads, stores, neighbours; 1092 at most
+    constexpr long long kPatchBytes = 2400;  // of refined pixels
     long long most = 0;
     for (const SceneInfo& info : shipped_scenes()) {
-        const Texts texts = texts_of(Stage::kPicture, *load_scene(info.name), Output::kLinear);
+        const Scene scene = *load_scene(info.name);
+        const EffectSet effects = effect_set(required_effects(scene));
+        const Texts texts = texts_of(Stage::kPicture, scene, Output::kLinear);
+        const auto with_patches =
+            static_cast<long long>(compute_source(Stage::kPicture, effects, Output::kLinear, {}, scene.spacetime.metric,
+                                                  body_text(scene, effects), true)
+                                       .size());
         const long long more =
             static_cast<long long>(texts.compute.size()) - static_cast<long long>(texts.fragment.size());
         most = std::max(most, more);
         CHECK_MESSAGE(more >= 0, info.name);
         CHECK_MESSAGE(more <= kOwnBytes, info.name);
+        const long long patches = with_patches - static_cast<long long>(texts.compute.size());
+        CHECK_MESSAGE((effects.contains(Effect::kRefine) ? patches > 0 && patches <= kPatchBytes : patches == 0),
+                      info.name);
     }
     fmt::print("compute source: at most {} bytes more than the fragment shader's\n", most);
 }
