@@ -8,16 +8,9 @@
 
 #include "base/result.h"
 #include "gradient/picture_light.h"
+#include "gradient/spoke_sum.h"
 
 namespace nullscope {
-
-struct FluxGradient {
-    double flux = 0;         // luminance of linear light, summed over the picture, px
-    std::vector<double> by;  // by each key of the light
-    double flux_error = 0;   // differences from a rule of half as many spokes, which is off by more than this
-    std::vector<double> by_error;
-    long rays = 0;
-};
 
 struct FluxRule {
     int places = 8;  // in each piece of a spoke, of Gauss and Legendre

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "gradient/extrapolated_step.h"
+#include "gradient/step_error.h"
 
 namespace nullscope {
 namespace {
 
-constexpr double kNearHorizon = 1e-3;  // of a step next to the horizon, over that of others
 constexpr double kOrder = 13.0;        // of the error that steps are chosen by
 constexpr double kFirstStep = 0.1;     // of u and of the angle
 constexpr double kLongestTurn = 1.0;   // rad, of a step
@@ -20,43 +20,6 @@ constexpr int kMostSteps = 4000;
 constexpr double kInPlane = 1e-12;     // a camera whose height is less stands in the plane
 constexpr double kAtCrossing = 1e-11;  // of a step
 constexpr int kMostTries = 60;
-
-double largest(const RayState& s, std::size_t first, std::size_t count, double (*part)(const Number&)) {
-    double size = 0;
-    for (std::size_t i = first; i < first + count; ++i) size = std::max(size, part(s[i]));
-    return size;
-}
-double of_value(const Number& x) { return std::fabs(x.value); }
-
-// Of a step, over what is allowed; not a number where the step left the metric.
-class StepError {
-public:
-    StepError(const RayState& end, const RayState& less_exact, double energy, double innermost)
-        : end_(end), other_(less_exact) {
-        // What the hole drags is as well known as the distance from the horizon.
-        add(kU, 1, 0, std::clamp(1 - end[kU].value / innermost, kNearHorizon, 1.0)), add(kW, 1, energy), add(kN, 3, 0),
-            add(kTurn, 3, energy), add(kDragged, 1, 1), add(kTime, 1, 1);
-    }
-    double over(double tolerance) const { return worst_ / tolerance; }
-
-private:
-    void add(std::size_t first, std::size_t count, double least, double share = 1) {
-        const double size = std::max(largest(end_, first, count, of_value), least);
-        for (std::size_t i = first; i < first + count; ++i) take(end_[i].value - other_[i].value, share * size);
-        for (std::size_t seed = 0; seed < kSeeds; ++seed) {
-            double slope = size;
-            for (std::size_t i = first; i < first + count; ++i) slope = std::max(slope, std::fabs(end_[i].d[seed]));
-            for (std::size_t i = first; i < first + count; ++i)
-                take(end_[i].d[seed] - other_[i].d[seed], share * slope);
-        }
-    }
-    void take(double off, double size) {
-        const double error = std::fabs(off) / size;
-        if (!(error <= worst_)) worst_ = error;  // NaN stays
-    }
-    const RayState &end_, &other_;
-    double worst_ = 0;
-};
 
 Triple place_of(const RayState& s) {
     const Number c = cos(s[kDragged]), i = sin(s[kDragged]);
@@ -120,8 +83,9 @@ public:
             length = std::min(length, longest);
             const RayState rate = slope(here_);
             const auto [end, less_exact] = step(rate, length);
-            const double error =
-                StepError(end, less_exact, photon_.energy.value, flow_.innermost()).over(task_.tolerance);
+            StepError off(end, less_exact);
+            off.add_ray(photon_.energy.value, flow_.innermost()), off.add(kTime, 1, 1);
+            const double error = off.over(task_.tolerance);
             const bool within = end[kU].value < flow_.innermost();
             if (error <= 1 && within && end[kU].value > 0) {
                 take(end, rate, length);

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """How often the 68 % intervals of fits hold the truth: data drawn by the reference, with the noise of each seed.
 
-Usage: fit_coverage.py PATH-OF-NULLSCOPE FIRST LAST    (seeds, both included; some core-second each; by hand)
+Usage: fit_coverage.py PATH-OF-NULLSCOPE FIRST LAST    (seeds, both included; some core-seconds each; by hand; ended early it counts those that were done)
 """
 import json
+import signal
 import subprocess
 import sys
 import tempfile
@@ -23,15 +24,27 @@ def main():
         subprocess.run([binary, "capture", scene, "--renderer", "reference", "--samples", "8", "-o", drawn], check=True, stdout=subprocess.DEVNULL)
         rows = fit_data.rows_of(Path(drawn).read_bytes())
         sigma = fit_data.brightest(rows) / 30
-        for seed in range(first, last + 1):
-            Path(data).write_bytes(fit_data.fits(fit_data.noisy(rows, sigma, seed)))
-            fit = subprocess.run([binary, "fit", data, scene, "--free", "spin=0:0.99,camera.theta=10:80", "--sigma", repr(sigma), "--starts", "1", "--json"],
-                                 check=True, capture_output=True)
-            for one in json.loads(fit.stdout)["parameters"]:
-                held[one["key"]] += abs(one["best"] - fit_data.TRUE[one["key"]]) < one["sigma"]
+        done = 0
+        try:
+            for seed in range(first, last + 1):
+                Path(data).write_bytes(fit_data.fits(fit_data.noisy(rows, sigma, seed)))
+                fit = subprocess.run([binary, "fit", data, scene, "--free", "spin=0:0.99,camera.theta=10:80", "--sigma", repr(sigma), "--starts", "1", "--json"],
+                                     check=True, capture_output=True)
+                off = {one["key"]: (one["best"] - fit_data.TRUE[one["key"]]) / one["sigma"] for one in json.loads(fit.stdout)["parameters"]}
+                for key, deviations in off.items():
+                    held[key] += abs(deviations) < 1
+                done += 1
+                print(f"seed {seed}:", *(f"{key} off by {deviations:+.2f} sigma" for key, deviations in off.items()), flush=True)
+        except (KeyboardInterrupt, subprocess.CalledProcessError) as early:   # the program ends by the signal too
+            print(f"ended at seed {first + done}: {early!r}")
     for key, count in held.items():
-        print(f"{key}: {count} of {last - first + 1}, {100 * count / (last - first + 1):.1f} %")
+        print(f"{key}: {count} of {done}, {100 * count / max(done, 1):.1f} %")
+
+
+def interrupt(*_):
+    raise KeyboardInterrupt
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, interrupt)
     main()
