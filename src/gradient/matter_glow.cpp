@@ -6,6 +6,7 @@
 #include "gradient/formula_number.h"
 #include "gradient/matter_law.h"
 #include "plan/medium.h"
+#include "plan/medium_model.h"
 #include "scene/known_object.h"
 
 namespace nullscope {
@@ -19,8 +20,8 @@ Error no_matter(const char* key, const std::string& what, const char* allowed) {
 
 Status check_matter(const Scene& scene, const Flow& flow) {
     const MediumSpec& medium = *scene.medium;
-    if (medium.kind == MediumKind::kGas || medium.kind == MediumKind::kGrid)
-        return no_matter("medium.kind", medium.kind == MediumKind::kGas ? "gas" : "grid", "flow, formula or jet");
+    if (medium.kind != MediumKind::kFlow && medium.kind != MediumKind::kFormula)
+        return no_matter("medium.kind", std::string(model_of(medium).word), "flow or formula");
     if (medium.law() == MediumEmission::kBlackBody)
         return no_matter("medium.emission", "black-body", "power-law, synchrotron or bremsstrahlung");
     if (medium.has_electrons()) return no_matter("medium.electrons", "electrons that are not thermal", "thermal");
@@ -80,7 +81,6 @@ Status MatterGlow::prepare() {
         formulas_.push_back(std::move(*formula));
     }
     if (spec_.kind == MediumKind::kFlow) scale_ = 1 / std::max(spec_.flow.flattening, 1.0);
-    if (spec_.kind == MediumKind::kJet) scale_ = std::sin(spec_.jet.opening);
     return Done{};
 }
 
@@ -92,10 +92,6 @@ Number MatterGlow::formula(const expr::Formula& formula, const Place& place) con
 // u_mu = u_t (-1, 0, 0, l) up to a factor, of the flow: u.u = -1.
 std::optional<Triple> MatterGlow::velocity(const Place& place) const {
     const auto still = [](const Number& along) { return Triple{Number(0.0), Number(0.0), along}; };
-    if (spec_.kind == MediumKind::kJet) {
-        const double lorentz = spec_.jet.lorentz;
-        return Triple{Number(std::sqrt(lorentz * lorentz - 1)), Number(0.0), Number(0.0)};
-    }
     if (spec_.kind == MediumKind::kFlow) {
         constexpr double kMass = 0.5;
         const PlaceNumbers& g = place.g;
@@ -122,16 +118,6 @@ std::optional<MatterGlow::Matter> MatterGlow::matter(const Place& place) const {
             break;
         }
         case MediumKind::kFormula: density = formula(formulas_[kDensity], place); break;
-        case MediumKind::kJet: {
-            const Number side = place.sine / std::sin(spec_.jet.opening), across = 1.0 - side * side;
-            const double rim = std::min(spec_.edge, 0.5 * std::log(spec_.outer / spec_.inner));
-            const Number in = log(r / spec_.inner) / rim, out = log(spec_.outer / r) / rim;
-            const Number& end = in.value < out.value ? in : out;
-            if (!(across.value > 0 && end.value > 0)) return std::nullopt;
-            density = across * across * formula_number::smooth_step(Number(0.0), Number(1.0), end) *
-                      matter_law::power(spec_.inner / r, spec_.jet.falloff);
-            break;
-        }
         default: return std::nullopt;
     }
     if (!(density.value > 0)) return std::nullopt;

@@ -1,4 +1,4 @@
-// What a scene's matter emits and absorbs where a ray is, in dual numbers (docs/matter.md): flows, jets and matter by formulas, that shine by a power of
+// What a scene's matter emits and absorbs where a ray is, in dual numbers (docs/matter.md): flows and matter by formulas, that shine by a power of
 // the frequency, as thermal electrons in a field or among protons. Shares no code with the shader nor with the reference but formulas' parser and the
 // bounds of plan/medium.h.
 #pragma once
@@ -19,7 +19,7 @@ inline constexpr Seed kSeedMatterShift = kSeedTilt;  // ln of the camera's frequ
 
 class MatterGlow {
 public:
-    // flow: of the scene's spacetime, with a horizon; outlives this. Errors: medium.kind = gas or grid, black bodies, electrons that are not thermal,
+    // flow: of the scene's spacetime, with a horizon; outlives this. Errors: another medium.kind than flow and formula, black bodies, electrons that are not thermal,
     // polarised light, several frequencies, a height within the sphere, formulas with t or noise, a disc, bodies, a sky that is not black.
     static Result<std::unique_ptr<MatterGlow>> make(const Scene& scene, const Flow& flow);
 

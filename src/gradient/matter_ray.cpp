@@ -31,7 +31,9 @@ public:
             const auto [end, less_exact] = step(rate, length);
             const double error = error_of(end, less_exact);
             const bool within = end[kU].value < flow_.innermost() && end[kU].value > 0;
-            if (error <= 1 && within) {
+            // Where matter begins at once, however faint, steps get no shorter than this.
+            const bool shortest = length <= kLeastStep * longest && within && std::isfinite(error);
+            if ((error <= 1 && within) || shortest) {
                 const bool ends_inside = end[kU].value > rim_;
                 if (!inside_ && !ends_inside && length > kGrazing * longest && may_pass(end, length, longest)) {
                     length *= 0.5;
@@ -45,7 +47,7 @@ public:
             } else {
                 const bool off = std::isfinite(error) && within;
                 length *= off ? std::clamp(0.9 * std::pow(error, -1 / kOrder), 0.1, 0.7) : 0.4;
-                if (length < kLeastStep * longest) break;
+                if (length < 0.01 * kLeastStep * longest) break;  // it left the metric
             }
         }
         return {here_[kMatterLight], here_[kMatterDepth]};
@@ -81,8 +83,10 @@ private:
     double longest_step() const {
         const double turned = turn(), u = here_[kU].value, w = here_[kW].value;
         double longest = kLongestTurn / std::max(turned, 1e-150);
-        if (w < 0) longest = std::min(longest, kShare * u / -w);
+        if (w < 0) longest = std::min(longest, (inside_ ? kShareInside : kShare) * u / -w);
         if (inside_) longest = std::min(longest, kScales * glow_.scale(1) / std::hypot(turned, w / u));
+        // What is dragged has the logarithm of the distance from the horizon.
+        if (w > 0) longest = std::min(longest, kToHorizon * (flow_.innermost() - u) / w);
         return longest;
     }
     // Between here and the end, both beyond the rim, may the ray have been within? w falls about evenly from one to the other.
@@ -121,6 +125,8 @@ private:
     static constexpr double kOrder = 13.0;         // of the error that steps are chosen by
     static constexpr double kLongestTurn = 1.0;    // rad, of a step
     static constexpr double kShare = 0.9999;       // of the way to the sky, of a step
+    static constexpr double kToHorizon = 0.4;      // of the way to the horizon, of a step
+    static constexpr double kShareInside = 0.5;    // the same in matter
     static constexpr double kScales = 4.0;         // of the matter, of a step in it
     static constexpr double kLeastStep = 1e-7;     // of the longest
     static constexpr double kGrazing = 1e-3;       // of the longest step: what matter a shorter one may miss
