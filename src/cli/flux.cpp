@@ -1,4 +1,4 @@
-// nullscope flux: the flux density of a scene's matter, and the density of matter at which it has a given one; the derivatives of a disc's flux.
+// nullscope flux: the flux density of a scene's matter, and the density of matter at which it has a given one; the derivatives of its flux or of a disc's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -203,21 +203,22 @@ void add_flux(Command& parent) {
     auto [command, options] = add_command<FluxOptions>(
         parent, "flux",
         "Flux density (Jy) of a scene's matter; with --target, the density at which it has that one; with "
-        "--derivatives, how a disc's flux changes",
+        "--derivatives, how that of matter or a disc changes",
         run_flux);
     required_option(command, "scene", options.scene,
                     "Scene file, or the name of a built-in scene, whose only light is matter's at one frequency, about "
-                    "an object of known mass and distance; with --derivatives one with a thermal disc");
+                    "an object of known mass and distance; with --derivatives one with a thermal disc, or matter");
     set_option(command, options.set);
     number_option(command, "--target", options.target, kLeastFlux, kMostFlux,
                   "Flux density to reach, Jy, by medium.density_scale (of a simulation's dump: its unit of mass)");
     number_option(command, "--tolerance", options.tolerance, 1e-6, 0.1,
                   "Relative difference to --target that is enough");
-    command.add_option("--derivatives", &options.derivatives,
-                       "Flux of a thermal disc (luminance of linear light, summed over pixels) and its derivatives by "
-                       "KEY,KEY,... of spin, charge, camera.r, .theta, .phi, .yaw, .pitch, .roll, .fov, .velocity_r, "
-                       "..., disc.inner, .outer, .temperature, .powers, .opacity, .brightness, .tilt, .node, per 1, "
-                       "r_s, rad, c or K, as CSV; the images of rims move with them");
+    command.add_option(
+        "--derivatives", &options.derivatives,
+        "Flux of a thermal disc or of matter (luminance of linear light, summed over pixels) and its derivatives by "
+        "KEY,KEY,... of spin, charge, camera.r, .theta, .phi, .yaw, .pitch, .roll, .fov, .velocity_r, "
+        "..., disc.inner, .outer, .temperature, .powers, .opacity, .brightness, .tilt, .node, per 1, "
+        "r_s, rad, c or K, as CSV; the images of rims move with them");
     number_option(command, "--error", options.error, 1e-5, 0.5,
                   "With --derivatives: relative error of flux and derivatives that is enough (default 1e-3)");
     command.add_option("-o,--output", &options.output, "With --target: scene file to write, with that density_scale");

@@ -21,12 +21,18 @@ FluxTable table_of(const FluxGradient& found, const std::vector<Parameter>& keys
     return table;
 }
 
+void tell_of_sky(const Scene& scene, FluxTable& table) {
+    if (scene.sky.kind != SkyKind::kBlack) table.notes.emplace_back("the sky's light does not count");
+}
+
 Result<FluxTable> of_matter(const Scene& scene, const std::vector<std::string>& keys, double error) {
     TRY(light, PictureMatter::make(scene, keys));
     MatterFluxRule rule;
     rule.tolerance = error;
     TRY(found, flux_gradient(**light, rule, tell));
-    return table_of(*found, (*light)->keys());
+    FluxTable table = table_of(*found, (*light)->keys());
+    tell_of_sky(scene, table);
+    return table;
 }
 
 }  // namespace
@@ -40,7 +46,7 @@ Result<FluxTable> flux_derivatives(const Scene& scene, const std::vector<std::st
     FluxTable table = table_of(*found, (*light)->keys());
     if (scene.disc->material.texture == TextureKind::kGas)
         table.notes.emplace_back("disc.texture = \"gas\" counts as its mean");
-    if (scene.sky.kind != SkyKind::kBlack) table.notes.emplace_back("the sky's light does not count");
+    tell_of_sky(scene, table);
     return table;
 }
 

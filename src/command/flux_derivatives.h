@@ -1,4 +1,4 @@
-// The flux of a scene's disc and its derivatives, what nullscope flux --derivatives does (docs/ray-data.md, "Derivatives of a flux").
+// The flux of a scene's disc, or of its matter, and its derivatives, what nullscope flux --derivatives does (docs/ray-data.md, "Derivatives of a flux").
 #pragma once
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace nullscope::cli {
 
-// Of the scene's thermal disc, in its picture. keys: see parameter_names(). error: relative, of the flux and its derivatives. notes: lines for people, of what
-// does not count. Some 10 to 100 core-seconds. Errors: PictureLight's, flux_gradient's.
+// Of the scene's thermal disc, or of its matter along rays, in its picture. keys: see parameter_names(). error: relative, of the flux and its derivatives. notes: lines for people, of what
+// does not count. Some 10 to 100 core-seconds. Errors: PictureLight's, PictureMatter's, flux_gradient's.
 struct FluxTable {
     struct Row {
         std::string name;  // flux, d_KEY

@@ -31,7 +31,8 @@ Status check_matter(const Scene& scene, const Flow& flow) {
         return no_matter("medium.height", "a slab within the sphere", "at least medium.outer");
     if (const char* key = medium_moves(medium)) return no_matter(key, "matter that changes with time", "without t");
     if (scene.disc) return no_matter("disc", "matter beside a disc", "one of them");
-    if (!scene.bodies.empty() || !scene.caps.empty()) return no_matter("medium", "matter beside bodies", "a scene without");
+    if (!scene.bodies.empty() || !scene.caps.empty())
+        return no_matter("medium", "matter beside bodies", "a scene without");
     if (!flow.has_horizon()) return no_matter("spacetime.metric", "matter without a horizon", "a hole");
     return Done{};
 }
@@ -156,9 +157,8 @@ MatterGlow::Rates MatterGlow::coefficients(const Matter& matter, const Number& n
         constexpr double kReference = 230e9;
         const Number along = spec_.emissivity * matter.density, x = (1 / kReference) * nu;
         return {along * matter_law::power(x, -spec_.spectral_index),
-                spec_.absorption > 0
-                    ? spec_.absorption * (along * matter_law::power(x, -2.5 - spec_.spectral_index))
-                    : Number(0.0)};
+                spec_.absorption > 0 ? spec_.absorption * (along * matter_law::power(x, -2.5 - spec_.spectral_index))
+                                     : Number(0.0)};
     }
     if (spec_.law() == MediumEmission::kBremsstrahlung)
         emitted = matter_law::bremsstrahlung(matter.density, matter.temperature, nu);

@@ -14,13 +14,14 @@
 namespace nullscope {
 
 // Seeds of a disc's leaning, which matter does not have.
-inline constexpr Seed kSeedMatterTurn = kSeedNode;   // of the matter about the polar axis
-inline constexpr Seed kSeedMatterShift = kSeedTilt;  // ln of the camera's frequency, of what does not come by way of the ray
+inline constexpr Seed kSeedMatterTurn = kSeedNode;  // of the matter about the polar axis
+inline constexpr Seed kSeedMatterShift =
+    kSeedTilt;  // ln of the camera's frequency, of what does not come by way of the ray
 
 class MatterGlow {
 public:
     // flow: of the scene's spacetime, with a horizon; outlives this. Errors: another medium.kind than flow and formula, black bodies, electrons that are not thermal,
-    // polarised light, several frequencies, a height within the sphere, formulas with t or noise, a disc, bodies, a sky that is not black.
+    // polarised light, several frequencies, a height within the sphere, formulas with t or noise, a disc, bodies.
     static Result<std::unique_ptr<MatterGlow>> make(const Scene& scene, const Flow& flow);
 
     // For each unit of Mino's time, r_s: light without what the matter before it takes, where 1 is the brightness temperature kMediumLight_K; optical depth.
@@ -30,8 +31,8 @@ public:
     // shift: frequency in the camera over that of who has no angular momentum there. Some 3 microseconds.
     Rates at(const Photon& photon, const RayState& state, const Number& shift) const;
 
-    double nearest() const { return nearest_; }         // r_s; none within and beyond these
-    double farthest() const { return farthest_; }       // it may end sharply there
+    double nearest() const { return nearest_; }          // r_s; none within and beyond these
+    double farthest() const { return farthest_; }        // it may end sharply there
     double scale(double r) const { return scale_ * r; }  // over which it changes, about
 
 private:

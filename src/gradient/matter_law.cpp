@@ -61,8 +61,8 @@ Number synchrotron_mean(const Number& electrons, const Number& temperature, cons
     const Number twelfth = power(x, 1.0 / 12), quarter = twelfth * twelfth * twelfth, third = quarter * twelfth;
     constexpr double kConstant = kCharge * kCharge / (kLight * 1.7320508075688772) * 4.0505;
     const Number shape = 1.0 + 0.4 / quarter + 0.5316 / (quarter * quarter);
-    return kConstant * (electrons * nu / (twelfth * twelfth) * shape *
-                        exp(colder - 1.8899 * third - log_scaled_bessel_k2(colder)));
+    return kConstant *
+           (electrons * nu / (twelfth * twelfth) * shape * exp(colder - 1.8899 * third - log_scaled_bessel_k2(colder)));
 }
 
 Number bremsstrahlung(const Number& electrons, const Number& temperature, const Number& nu) {

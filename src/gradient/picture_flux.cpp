@@ -26,7 +26,11 @@ struct Cut {
 class Spoke {
 public:
     Spoke(const PictureLight& light, const SpokedPicture& picture, double angle)
-        : light_(light), from_(picture.from), x_(std::cos(angle)), y_(std::sin(angle)), end_(to_edge(picture, x_, y_)) {}
+        : light_(light),
+          from_(picture.from),
+          x_(std::cos(angle)),
+          y_(std::sin(angle)),
+          end_(to_edge(picture, x_, y_)) {}
 
     // Added to flux and by: the integral of luminance rho drho. thin: the rule of thin pieces.
     void add(const LegendreRule& rule, const LegendreRule& thin, FluxGradient& sum) {

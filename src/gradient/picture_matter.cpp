@@ -38,9 +38,7 @@ Result<std::unique_ptr<PictureMatter>> PictureMatter::make(const Scene& scene, c
     return light;
 }
 
-bool PictureMatter::falls_in(double x, double y) const {
-    return ray_survey(*flow_, view_->seen(x, y).launch).falls_in;
-}
+bool PictureMatter::falls_in(double x, double y) const { return ray_survey(*flow_, view_->seen(x, y).launch).falls_in; }
 
 Change PictureMatter::change(const Parameter& key, const CameraView::Seen& seen) const {
     Change change = view_->change(key.kind, seen);
@@ -57,8 +55,7 @@ std::vector<double> PictureMatter::critical_by(double x, double y, double along_
     Number clearance = *found.clearance;
     clearance.d[kSeedMatterShift] = clearance.d[kSeedMatterTurn] = 0;
     const double along = derivative(clearance, view_->moved(seen, x, y, along_x, along_y));
-    for (std::size_t i = 0; i < by.size(); ++i)
-        by[i] = -derivative(clearance, change(parameters_[i], seen)) / along;
+    for (std::size_t i = 0; i < by.size(); ++i) by[i] = -derivative(clearance, change(parameters_[i], seen)) / along;
     return by;
 }
 
@@ -114,7 +111,8 @@ private:
         double begin, length;
         std::vector<double> by;  // of the beginning
     };
-    void add_side(const LegendreRule& rule, const Side& side, const std::vector<double>& ends, FluxGradient& sum) const {
+    void add_side(const LegendreRule& rule, const Side& side, const std::vector<double>& ends,
+                  FluxGradient& sum) const {
         for (std::size_t i = 0; i + 1 < ends.size(); ++i)
             for (std::size_t k = 0; k < rule.at.size(); ++k) {
                 const double width = ends[i + 1] - ends[i];

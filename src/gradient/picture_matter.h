@@ -17,7 +17,7 @@ namespace nullscope {
 
 class PictureMatter {
 public:
-    // Of the scene's matter alone. keys: parse_parameters() of light. Errors: MatterGlow's and CameraView's, those of check_medium(); a metric without
+    // Of the scene's matter alone: the sky counts as black. keys: parse_parameters() of light. Errors: MatterGlow's and CameraView's, those of check_medium(); a metric without
     // derivatives.
     static Result<std::unique_ptr<PictureMatter>> make(const Scene& scene, const std::vector<std::string>& keys);
 

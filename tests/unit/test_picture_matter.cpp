@@ -43,7 +43,8 @@ Scene matter_scene(const MatterCase& of) {
 void spiral(Scene& scene) {
     MediumSpec& m = *scene.medium;
     m.kind = MediumKind::kFormula, m.emission = MediumEmission::kSynchrotron, m.outer = 9.0;
-    m.formulas = {"3e6*r^-1.5*exp(-2*(z/r)^2)*(1 + 0.4*x/r)", "6e10*r^-0.8", "30/r", "-0.2/r", "0.05*z/r", "0.6/sqrt(r)"};
+    m.formulas = {
+        "3e6*r^-1.5*exp(-2*(z/r)^2)*(1 + 0.4*x/r)", "6e10*r^-0.8", "30/r", "-0.2/r", "0.05*z/r", "0.6/sqrt(r)"};
 }
 
 const MatterCase kMatterCases[] = {
@@ -92,8 +93,9 @@ void move_scene(ParameterKind kind, double by, Scene& scene) {
 }
 
 TEST_CASE("picture matter: values as the reference has them, derivatives as their differences") {
-    constexpr double kMarch = 2e-3;        // of the light: what the reference's midpoint rule is off by in a ray
-    constexpr double kDifferences = 2e-4;  // of derivatives, or of the light where that is more: the steps' tolerance over their length
+    constexpr double kMarch = 2e-3;  // of the light: what the reference's midpoint rule is off by in a ray
+    constexpr double kDifferences =
+        2e-4;  // of derivatives, or of the light where that is more: the steps' tolerance over their length
     const std::size_t every = test::by_depth<std::size_t>(6, 2, 1);
     for (const MatterCase& of : kMatterCases) {
         CAPTURE(of.name);
@@ -118,21 +120,25 @@ TEST_CASE("picture matter: values as the reference has them, derivatives as thei
                 std::array<double, 4> there{};
                 for (const std::size_t side : {0, 1, 2, 3}) {
                     Scene other = scene;
-                    move_scene((*light)->keys()[k].kind, std::array{-kStep, -0.5 * kStep, 0.5 * kStep, kStep}[side], other);
+                    move_scene((*light)->keys()[k].kind, std::array{-kStep, -0.5 * kStep, 0.5 * kStep, kStep}[side],
+                               other);
                     const auto moved = PictureMatter::make(other, {});
                     REQUIRE(moved);
                     there[side] = (*moved)->at(x, y, 1, 0, 0.01 * brightest).light;
                 }
-                const double wide = (there[3] - there[0]) / (2 * kStep), half = (there[2] - there[1]) / kStep, slope = (4 * half - wide) / 3;
+                const double wide = (there[3] - there[0]) / (2 * kStep), half = (there[2] - there[1]) / kStep,
+                             slope = (4 * half - wide) / 3;
                 // The differences' own error is less than a tenth of what the extrapolation changed.
-                const double off = (std::fabs(ray.by[k] - slope) - 0.1 * std::fabs(half - wide)) / std::max({std::fabs(slope), ray.light, 0.01 * brightest});
+                const double off = (std::fabs(ray.by[k] - slope) - 0.1 * std::fabs(half - wide)) /
+                                   std::max({std::fabs(slope), ray.light, 0.01 * brightest});
                 most_by = std::max(most_by, std::fabs(slope));
                 if (!(off <= worst))
                     worst = std::isnan(off) ? 1 : off,
                     where = fmt::format("{} at {}, {}: {:.9g} by differences {:.9g}", names[k], x, y, ray.by[k], slope);
             }
         }
-        MESSAGE(fmt::format("{}: light within {:.2g}, derivatives within {:.2g}, {}", of.name, worst_value, worst, where));
+        MESSAGE(
+            fmt::format("{}: light within {:.2g}, derivatives within {:.2g}, {}", of.name, worst_value, worst, where));
         CHECK(worst_value < kMarch);
         CHECK(worst < kDifferences);
         CHECK(most_by > 0);
