@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Builds nullscope.exe for Windows (x86-64, 10 and later) with Debian's mingw-w64, and tests it under Wine.
+# Builds nullscope.exe and nullscope-viewer.exe for Windows (x86-64, 10 and later) with Debian's mingw-w64, tests them under Wine, and packs them.
 #
-#   scripts/windows.sh [STEP...]      STEP: libraries, build, imports, test; all of them by default
+#   scripts/windows.sh [STEP...]      STEP: --libraries, --build, --test, --zip; all of them by default
 #
 # Libraries are built from the distribution's sources (apt-get source) into build/windows/prefix, once; everything is linked statically. It
-# needs the packages g++-mingw-w64-x86-64-posix, libz-mingw-w64-dev, dpkg-dev and wine, to test xvfb too: where one is missing, or the sources
+# needs the packages g++-mingw-w64-x86-64-posix, libz-mingw-w64-dev, dpkg-dev and wine, to test xvfb and xdotool too, to pack zip: where one is missing, or the sources
 # cannot be fetched, a line says so and the status is 0. Some 10 core-minutes for the libraries, 20 for the program.
 set -euo pipefail
 
@@ -13,8 +13,11 @@ folder=$repository/build/windows
 case "${1-}" in -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"; exit 0 ;; esac
 say() { echo "windows: $*" >&2; }
 skip() { say "left out: $*"; exit 0; }
-wanted() { [[ ${#steps[@]} -eq 0 || " ${steps[*]} " == *" $1 "* ]]; }
+wanted() { [[ ${#steps[@]} -eq 0 || " ${steps[*]} " == *" --$1 "* ]]; }
 steps=("$@")
+for step in "${steps[@]}"; do
+    [[ " --libraries --build --test --zip " == *" $step "* ]] || { say "unknown step $step; see --help"; exit 2; }
+done
 
 for tool in x86_64-w64-mingw32-g++-posix dpkg-source wine; do
     command -v "$tool" >/dev/null || skip "$tool is not installed: apt install g++-mingw-w64-x86-64-posix libz-mingw-w64-dev dpkg-dev wine"
@@ -61,6 +64,25 @@ library() {
     touch "$done"
 }
 
+# Dear ImGui has no build of its own: as the distribution packs it, without its FreeType.
+imgui() {
+    [[ -e $folder/prefix/imgui.whole ]] && return
+    say "the library imgui"
+    source_of imgui
+    local tree=$folder/sources/imgui/tree file
+    mkdir -p "$folder/sources/imgui/build" "$folder/prefix/include/imgui/backends"
+    for file in "$tree"/imgui*.cpp "$tree"/misc/cpp/imgui_stdlib.cpp "$tree"/backends/imgui_impl_{glfw,opengl3}.cpp; do
+        x86_64-w64-mingw32-g++-posix -O2 -DNDEBUG -fvisibility=hidden -I"$tree" -I"$folder/prefix/include" -c "$file" \
+            -o "$folder/sources/imgui/build/$(basename "$file" .cpp).o" >>"$folder/sources/imgui.log" 2>&1 || { tail -n 20 "$folder/sources/imgui.log" >&2; exit 1; }
+    done
+    x86_64-w64-mingw32-ar rcs "$folder/prefix/lib/libimgui.a" "$folder"/sources/imgui/build/*.o
+    cp "$tree"/{imgui,imgui_internal,imconfig,imstb_rectpack,imstb_textedit,imstb_truetype}.h "$tree"/misc/cpp/imgui_stdlib.h "$folder/prefix/include/imgui"
+    cp "$tree"/backends/imgui_impl_{glfw,opengl3,opengl3_loader}.h "$folder/prefix/include/imgui/backends"
+    printf 'Name: imgui\nDescription: Dear ImGui\nVersion: 1.86\nLibs: -L%s -limgui -limm32\nCflags: -I%s\n' "$folder/prefix/lib" "$folder/prefix/include/imgui" \
+        >"$folder/prefix/lib/pkgconfig/imgui.pc"
+    touch "$folder/prefix/imgui.whole"
+}
+
 if wanted libraries; then
     # Headers alone are the same everywhere; with them go the files by which CMake finds them.
     mkdir -p "$folder/prefix/include" "$folder/prefix/share/cmake" "$folder/prefix/lib/pkgconfig"
@@ -84,18 +106,48 @@ if wanted libraries; then
     library imath
     library openexr -DOPENEXR_BUILD_TOOLS=OFF -DOPENEXR_INSTALL_EXAMPLES=OFF -DOPENEXR_INSTALL_TOOLS=OFF
     library onetbb -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF
+    library glfw3 -DGLFW_BUILD_{EXAMPLES,TESTS,DOCS}=OFF
+    imgui
 fi
 
 if wanted build; then
     say "building"
     cmake -G Ninja -S "$repository" -B "$folder/build" --toolchain "$repository/scripts/windows.cmake" -DCMAKE_BUILD_TYPE=Release \
-        -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -DNULLSCOPE_UNITY=ON -DNULLSCOPE_FIT=OFF -DNULLSCOPE_VIEWER=OFF -DNULLSCOPE_TESTS=OFF \
+        -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -DNULLSCOPE_UNITY=ON -DNULLSCOPE_FIT=OFF -DNULLSCOPE_TESTS=OFF \
         >"$folder/configure.log" || { tail -n 20 "$folder/configure.log" >&2; exit 1; }
-    cmake --build "$folder/build" --target nullscope
+    cmake --build "$folder/build" --target nullscope nullscope-viewer
+fi
+if wanted test; then
+    here=$repository/build/release/bin/nullscope
+    [[ -x $here ]] || skip "there is no $here to compare with: scripts/build.sh"
+    for test in "test_windows.py $here" test_viewer.py; do
+        result=0
+        python3 -B "$repository/tests/windows/"$test || result=$?
+        [[ $result -eq 0 || $result -eq 77 ]] || exit "$result"   # 77: left out, and it said why
+    done
 fi
 
-if wanted imports; then
-    # Nothing that Windows itself does not bring.
-    x86_64-w64-mingw32-objdump -p "$folder/build/bin/nullscope.exe" | sed -n 's/^\tDLL Name: //p'
+if wanted zip; then
+    command -v zip >/dev/null || skip "zip is not installed"
+    version=$(sed -n 's/^CMAKE_PROJECT_VERSION:[A-Z]*=//p' "$folder/build/CMakeCache.txt")
+    name=nullscope-$version-windows-x86_64
+    rm -rf "$folder/zip" "$folder/$name.zip"
+    mkdir -p "$folder/zip/$name/share/doc/libraries"
+    for program in nullscope nullscope-viewer; do
+        x86_64-w64-mingw32-strip -o "$folder/zip/$name/$program.exe" "$folder/build/bin/$program.exe"
+        # Nothing that Windows itself does not bring.
+        x86_64-w64-mingw32-objdump -p "$folder/zip/$name/$program.exe" | sed -n 's/^\tDLL Name: //p' | tr '\n' ' ' | sed "s/^/$program.exe imports /;s/\$/\n/"
+    done
+    mkdir -p "$folder/zip/$name/share/nullscope"
+    cp -r "$repository/assets/." "$folder/zip/$name/share/nullscope"
+    cp "$repository/LICENSE" "$folder/zip/$name/share/doc"
+    cp "$repository/README.md" "$folder/zip/$name/share/doc"
+    for package in "$folder"/sources/*/tree; do   # what is linked in, each under its own licence
+        cp "$package/debian/copyright" "$folder/zip/$name/share/doc/libraries/$(basename "$(dirname "$package")")" 2>/dev/null ||
+            cp "$package"/LICENSE* "$folder/zip/$name/share/doc/libraries/$(basename "$(dirname "$package")")" 
+    done
+    (cd "$folder/zip" && zip -q -9 -X -r "../$name.zip" "$name")
+    size=$(stat -c %s "$folder/$name.zip")
+    say "$folder/$name.zip, $((size / 1000)) kB"
+    ((size <= 15000000)) || { say "more than 15 MB"; exit 1; }
 fi
-! wanted test || python3 -B "$repository/tests/windows/test_windows.py" "$repository/build/release/bin/nullscope"

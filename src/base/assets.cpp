@@ -22,10 +22,11 @@ std::filesystem::path assets_directory() {
     if (const char* set = std::getenv("NULLSCOPE_ASSETS"); set && *set) return set;
     if (!shipped().empty()) return shipped();
     std::error_code error;
-    if (const fs::path program = platform::program_file(); !program.empty()) {
-        fs::path installed = program.parent_path().parent_path() / "share" / "nullscope";
-        if (fs::is_directory(installed, error)) return installed;
-    }
+    if (const fs::path program = platform::program_file(); !program.empty())
+        // Installed in bin, or unpacked with the programs on top.
+        for (const fs::path& prefix : {program.parent_path().parent_path(), program.parent_path()})
+            if (fs::path installed = prefix / "share" / "nullscope"; fs::is_directory(installed, error))
+                return installed;
     return NULLSCOPE_SOURCE_ASSETS;
 }
 

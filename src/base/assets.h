@@ -1,4 +1,4 @@
-// Where the files that ship are: $NULLSCOPE_ASSETS, else what ship_assets() says, else beside the executable (../share/nullscope), else the
+// Where the files that ship are: $NULLSCOPE_ASSETS, else what ship_assets() says, else beside the executable (../share/nullscope, share/nullscope), else the
 // source tree.
 #pragma once
 #include <filesystem>

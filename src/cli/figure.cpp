@@ -144,7 +144,7 @@ Result<int> photon_ring(const FigureOptions& options, const std::filesystem::pat
     const auto table = std::filesystem::path(file).replace_extension(".csv");
     if (table == file)
         return bad_input(fmt::format("-o {}: the table beside it has that name", file.string()), "a name in .svg");
-    TRY(written, write_table(table, figure->csv, file, figure->svg,
+    TRY(written, write_table(table.string(), figure->csv, file.string(), figure->svg,
                              {*scene, name, options.given.words(), "reference tracer", figure->columns}));
     fmt::print("{}\n{}, {}\n", figure->table, file.string(), table.string());
     return 0;

@@ -111,7 +111,7 @@ std::string Gallery::draw_tours() {
     ImGui::SameLine();
     for (const TourInfo& tour : tours_) {
         if (&tour != &tours_.front()) next_to(button_width(tour.title.c_str()));
-        ImGui::PushID(tour.path.c_str());
+        ImGui::PushID(tour.path.string().c_str());
         if (small_button(tour.title.c_str())) chosen = tour.path.string();
         tooltip(tour.description);
         ImGui::PopID();

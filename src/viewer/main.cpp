@@ -10,6 +10,8 @@
 #include "base/manual.h"
 #include "base/text.h"
 #include "gl/driver_death.h"
+#include "platform/console.h"
+#include "platform/failure_box.h"
 #include "version/version.h"
 #include "viewer/panel.h"
 #include "viewer/viewer.h"
@@ -22,7 +24,9 @@ constexpr int kLargest = 16384;  // px
 
 int report(const Error& error) {
     const bool input = error.kind == ErrorKind::kBadInput;  // a driver's log may have lines
-    fmt::print(stderr, "nullscope-viewer: {}\n", input ? without_controls(error.message()) : error.message());
+    const std::string words = input ? without_controls(error.message()) : error.message();
+    fmt::print(stderr, "nullscope-viewer: {}\n", words);
+    platform::show_failure("nullscope-viewer", words);
     return static_cast<int>(error.kind);
 }
 
@@ -80,6 +84,7 @@ Command program_of(viewer::ViewerOptions& options, std::string& size, std::strin
 }  // namespace
 
 int main(int argc, char** argv) {
+    nullscope::platform::begin_console();
     nullscope::clean_up_on_signals();
     nullscope::gl::name_driver_at_death("nullscope-viewer");
     constexpr int kFramesOfScreenshot = 4;  // panels have found their size by then

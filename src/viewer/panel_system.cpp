@@ -23,8 +23,8 @@ void load_font(double pixels) {
     fonts.Clear();
     const auto file = sans_font_file();
     static constexpr ImWchar kLetters[] = {0x20, 0xff, 0x3bb, 0x3bb, 0};  // Latin, and wavelengths' lambda
-    if (file &&
-        fonts.AddFontFromFileTTF(file->c_str(), static_cast<float>(std::round(pixels)), nullptr, kLetters) != nullptr)
+    if (file && fonts.AddFontFromFileTTF(file->string().c_str(), static_cast<float>(std::round(pixels)), nullptr,
+                                         kLetters) != nullptr)
         return;
     constexpr float kBitmapFont = 13.0f;  // sharp only in whole multiples
     ImFontConfig config;

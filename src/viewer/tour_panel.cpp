@@ -28,7 +28,7 @@ bool draw_entry(const TourInfo& tour) {
     const float height = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const ImVec2 size{width, height + gap + ImGui::CalcTextSize(words.c_str()).y};
-    const bool chosen = ImGui::InvisibleButton(tour.path.c_str(), size) && tour.steps > 0;
+    const bool chosen = ImGui::InvisibleButton(tour.path.string().c_str(), size) && tour.steps > 0;
     const ImU32 title = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_CheckMark : ImGuiCol_Text);
     const ImU32 dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     ImDrawList& draw = *ImGui::GetWindowDrawList();

@@ -13,6 +13,13 @@
 namespace nullscope::platform {
 namespace {
 
+// A program of windows that a command line started writes there, if it was given nothing else.
+void use_console_of_parent() {
+    if (::GetStdHandle(STD_ERROR_HANDLE) != nullptr || ::AttachConsole(ATTACH_PARENT_PROCESS) == 0) return;
+    [[maybe_unused]] const std::FILE* const text = std::freopen("CONOUT$", "w", stdout);
+    [[maybe_unused]] const std::FILE* const errors = std::freopen("CONOUT$", "w", stderr);
+}
+
 DWORD console_of(Output output) { return output == Output::kText ? STD_OUTPUT_HANDLE : STD_ERROR_HANDLE; }
 
 }  // namespace
@@ -25,6 +32,7 @@ bool is_terminal(Output output) {
 
 void begin_console() {
     use_utf8();
+    use_console_of_parent();
     _setmode(_fileno(stdin), _O_BINARY);
     _setmode(_fileno(stdout), _O_BINARY);
     _setmode(_fileno(stderr), _O_BINARY);
