@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""nullscope-viewer.exe under Wine, used by real events of keyboard and mouse: opens, flies, looks around, saves a picture, closes.
+
+Usage: test_viewer.py; prints a table of what was measured. Ends with 77, and says why, where there is no nullscope-viewer.exe, Wine, Xvfb or xdotool.
+"""
+import os
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from wine import SYSTEM, VIEWER, Table, imports_of, leave_if_missing, screen_for_wine
+
+from viewer_process import HUNG_S, SCENE, Log
+from x_screen import WindowCloser, read_png, wait_until
+
+WIDTH, HEIGHT = 840, 600
+PICTURE = (340, 320, 800, 480)   # no panel and no message lies here
+CHANGED = 0.02                   # share of the bytes
+TABLE = Table()
+
+
+class Window(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="nullscope-windows-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name) / "na\u00efve 1"
+        self.folder.mkdir()
+        (self.folder / "scene.toml").write_text(SCENE)
+        self.log = Log(self.folder / "turns.txt")
+        self.begun = time.monotonic()
+        self.process = subprocess.Popen(["wine", str(VIEWER), "scene.toml", "--size", f"{WIDTH}x{HEIGHT}", "--turns", "turns.txt"], cwd=self.folder,
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        self.addCleanup(self.process.communicate)
+        self.addCleanup(self.process.kill)
+
+    def find(self):
+        if self.process.poll() is not None:
+            self.fail(f"the viewer ended early, status {self.process.returncode}: {self.process.stderr.read().decode('utf-8', 'replace')}")
+        return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "nullscope"], capture_output=True, text=True).stdout.split()
+
+    def rest_after(self, *words):
+        """What xdotool does, and the picture once the viewer rests."""
+        at = self.log.size()
+        SCREEN.hands(*words)
+
+        def rests():
+            self.assertIsNone(self.process.poll(), "the viewer ended")
+            said = self.log.since(at)
+            return bool(said) and said[-1][0] == "rest"
+        wait_until(f"rest after {' '.join(map(str, words))}", rests, HUNG_S)
+        return SCREEN.picture(*PICTURE)
+
+    def changes(self, what, before, *words):
+        after = self.rest_after(*words)
+        share = after.differing(before)
+        self.assertGreater(share, CHANGED, f"{what} changes the picture")
+        TABLE.row(what, f"changes {100 * share:.0f} % of the picture", f"at least {100 * CHANGED:.0f} %")
+        return after
+
+    def test_a_visit(self):
+        window = wait_until("the window", self.find, HUNG_S)[0]
+        TABLE.row("the window is there", f"after {time.monotonic() - self.begun:.1f} s", "")
+        wait_until("the first whole picture", lambda: any(word == "rest" for word, _ in self.log.since()), HUNG_S)
+        TABLE.row("the first picture is whole", f"after {time.monotonic() - self.begun:.1f} s", "")
+        picture = self.rest_after("windowfocus", window, "mousemove", WIDTH // 2, HEIGHT - 150, "key", "F35")
+        self.assertGreater(len(set(picture.data)), 20, "there is a picture")
+        at = (WIDTH // 2, HEIGHT - 150)
+        picture = self.changes("key W, held for a second", picture, "keydown", "w", "sleep", 1, "keyup", "w")
+        picture = self.changes("a drag of the mouse", picture, "mousemove", *at, "mousedown", 1, "mousemove", at[0] - 60, at[1] - 10, "sleep", 0.5, "mouseup", 1)
+        picture = self.changes("the wheel", picture, "click", 4, "click", 4)
+
+        SCREEN.hands("key", "F12")
+        saved = wait_until("F12 saves a file", lambda: next(self.folder.glob("nullscope-*.png"), None), HUNG_S)
+        wait_until("the file is whole", lambda: saved.read_bytes()[-8:-4] == b"IEND", HUNG_S)
+        png = read_png(saved)
+        self.assertGreater(len(set(png.data)), 20)
+        TABLE.row("F12 saves a picture", f"{png.width}x{png.height}", "")
+
+        closer = WindowCloser(os.environ["DISPLAY"])
+        begun = time.monotonic()
+        closer.close(int(window))
+        closer.leave()
+        _, said = self.process.communicate(timeout=HUNG_S)
+        self.assertEqual(self.process.returncode, 0, said.decode("utf-8", "replace"))
+        TABLE.row("the window's button closes it", f"status 0, after {time.monotonic() - begun:.1f} s", "status 0")
+
+
+class Program(unittest.TestCase):
+    def test_imports_are_the_systems(self):
+        names = imports_of(VIEWER)
+        self.assertIn("kernel32.dll", names)
+        self.assertEqual(names - SYSTEM, set())
+        TABLE.row("libraries that the viewer imports", str(len(names)), "the system's alone")
+
+
+if __name__ == "__main__":
+    leave_if_missing(VIEWER)
+    SCREEN = screen_for_wine(WIDTH + 100, HEIGHT + 100)
+    unittest.main()
