@@ -143,8 +143,12 @@ if wanted zip; then
     cp "$repository/LICENSE" "$folder/zip/$name/share/doc"
     cp "$repository/README.md" "$folder/zip/$name/share/doc"
     for package in "$folder"/sources/*/tree; do   # what is linked in, each under its own licence
-        cp "$package/debian/copyright" "$folder/zip/$name/share/doc/libraries/$(basename "$(dirname "$package")")" 2>/dev/null ||
-            cp "$package"/LICENSE* "$folder/zip/$name/share/doc/libraries/$(basename "$(dirname "$package")")" 
+        text=$(find "$package/debian/copyright" "$package" -maxdepth 2 -type f \( -name copyright -o -iname 'licen[cs]e*' -o -iname 'copying*' \) -print -quit 2>/dev/null || true)
+        [[ -n $text ]] || { say "no licence of $package"; exit 1; }
+        cp "$text" "$folder/zip/$name/share/doc/libraries/$(basename "$(dirname "$package")")"
+    done
+    for package in libz-mingw-w64-dev mingw-w64-common; do
+        cp "/usr/share/doc/$package/copyright" "$folder/zip/$name/share/doc/libraries/$package"
     done
     (cd "$folder/zip" && zip -q -9 -X -r "../$name.zip" "$name")
     size=$(stat -c %s "$folder/$name.zip")
