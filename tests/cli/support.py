@@ -151,7 +151,7 @@ class CliTest(unittest.TestCase):
     def contexts(self):
         """The contexts that work here; at least one."""
         out = self.run_nullscope("info").out
-        found = [kind for kind in ("egl", "osmesa") if f"{kind}: OpenGL" in out]
+        found = [kind for kind in ("egl", "osmesa", "wgl") if f"{kind}: OpenGL" in out]
         self.assertTrue(found, out)
         return found
 

@@ -46,7 +46,8 @@ class Window(unittest.TestCase):
         SCREEN.hands(*words)
 
         def rests():
-            self.assertIsNone(self.process.poll(), "the viewer ended")
+            if self.process.poll() is not None:
+                self.fail(f"the viewer ended, status {self.process.returncode}: {self.process.stderr.read().decode('utf-8', 'replace')}")
             said = self.log.since(at)
             return bool(said) and said[-1][0] == "rest"
         wait_until(f"rest after {' '.join(map(str, words))}", rests, HUNG_S)
