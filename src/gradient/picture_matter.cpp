@@ -139,10 +139,11 @@ private:
 // The mean of some places' light.
 double mean_light(const PictureMatter& light, const CameraSpec& camera) {
     double sum = 0;
-    for (int i = 0; i < kFaintPlaces * kFaintPlaces; ++i) {
-        const double x = (i % kFaintPlaces + 0.5) / kFaintPlaces, y = (i / kFaintPlaces + 0.5) / kFaintPlaces;
-        sum += light.at(x * camera.width, y * camera.height, 1, 0).light / (kFaintPlaces * kFaintPlaces);
-    }
+    for (int row = 0; row < kFaintPlaces; ++row)
+        for (int column = 0; column < kFaintPlaces; ++column) {
+            const double x = (column + 0.5) / kFaintPlaces, y = (row + 0.5) / kFaintPlaces;
+            sum += light.at(x * camera.width, y * camera.height, 1, 0).light / (kFaintPlaces * kFaintPlaces);
+        }
     return sum;
 }
 
