@@ -11,14 +11,14 @@ namespace {
 using namespace nullscope;
 using viewer::Fall;
 
-Scene scene_at(double r, ObserverKind observer = ObserverKind::kStatic) {
+Scene camera_scene(double r, ObserverKind observer = ObserverKind::kStatic) {
     Scene scene;
     scene.camera.r = r, scene.camera.observer = observer;
     return scene;
 }
 
 TEST_CASE("fall: a clock that runs, stops, is turned back, and ends") {
-    Scene scene = scene_at(5.0);
+    Scene scene = camera_scene(5.0);
     Fall fall;
     CHECK_FALSE(fall.active());
     CHECK_FALSE(fall.step(scene, 1.0));
@@ -43,7 +43,7 @@ TEST_CASE("fall: a clock that runs, stops, is turned back, and ends") {
 }
 
 TEST_CASE("fall: who turns the camera lets it fall on from there") {
-    Scene scene = scene_at(3.0, ObserverKind::kRain);
+    Scene scene = camera_scene(3.0, ObserverKind::kRain);
     Fall fall;
     REQUIRE(fall.let_go(scene));
     fall.step(scene, 0.5);
@@ -63,7 +63,7 @@ TEST_CASE("fall: from anywhere it takes 20 s, the end of it slowly, also for who
         for (const double r : {2.0, 10.0, 300.0, 1e4, 1e6, 1e9})
             for (const bool turns : {false, true}) {
                 CAPTURE(r);
-                Scene scene = scene_at(r, observer);
+                Scene scene = camera_scene(r, observer);
                 Fall fall;
                 REQUIRE(fall.let_go(scene));
                 double passed_s = 0.0, inside_s = 0.0;
@@ -80,7 +80,7 @@ TEST_CASE("fall: from anywhere it takes 20 s, the end of it slowly, also for who
 }
 
 TEST_CASE("fall: an orbit stays an orbit") {
-    Scene scene = scene_at(6.0, ObserverKind::kOrbit);
+    Scene scene = camera_scene(6.0, ObserverKind::kOrbit);
     Fall fall;
     REQUIRE(fall.let_go(scene));
     fall.haste = 50.0;
@@ -89,7 +89,7 @@ TEST_CASE("fall: an orbit stays an orbit") {
 }
 
 TEST_CASE("fall: about a rotating hole the clock runs through the horizon and ends short of the inner one") {
-    Scene scene = scene_at(2.0, ObserverKind::kZamo);
+    Scene scene = camera_scene(2.0, ObserverKind::kZamo);
     scene.spacetime = {"kerr", {{"spin", 0.9}}};
     scene.camera.velocity = {-0.2, 0, 0};
     Fall fall;
