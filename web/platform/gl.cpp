@@ -23,6 +23,8 @@ std::optional<StoredImage> stored_image(unsigned) { return std::nullopt; }
 ComputeProgram make_compute_program(const std::string&, Stored) { return {}; }
 void TileList::find(const Program&, int, int) {}
 void compute_tiles(const Program&, const StoredImage&, const TileList&, int, int, const Layer&) {}
+void compute_patches(const Program&, const StoredImage&, const VertexList&, int, int) {}
+bool skips_groups() { return false; }
 void compute_rows(const Program&, const StoredImage&, int, int, int, const Layer&) {}
 void compute_rows(const Program&, const Target&, int, int, int) {}
 
