@@ -1,5 +1,6 @@
 // Tiles of the picture drawn as points, numbered by rows from below. Where pixels are drawn again with more rays a point is a patch of these rays, in
 // a target of its own (render/ray_patches.h): a tile's program draws those that are in the tile.
+#include "effect/sampling.glsl"
 #include "generated/tiles"
 
 #ifdef EFFECT_REFINE
