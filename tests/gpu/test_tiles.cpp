@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -415,8 +416,11 @@ TEST_CASE("tiles: what a disc costs over the sky alone, and a rotating hole's sk
     pattern.disc->material.texture = TextureKind::kGrid;
     const auto check = [&](const char* what, const Scene& first, const Scene& second, double most) {
         CHECK(test::within(most, [&] { return cost_over(what, first, second, pairs); }).low <= most);
-        // Every ray traced: that the check can fail.
-        CHECK(cost_over(what, first, second, 5, Tiles::kBodies).ratio > most);
+        // Every ray traced: that the check can fail. Other work takes from the ratio: up to three measurements.
+        double traced = 0.0;
+        for (int i = 0; i < 3 && traced <= most; ++i)
+            traced = std::max(traced, cost_over(what, first, second, 5, Tiles::kBodies).ratio);
+        CHECK(traced > most);
     };
     // Measured 1.65 to 1.75, 1.92 to 2.03, 3.9 to 4.2, and 2.1, 2.7, 5.8 where every ray is traced: bounds are less than half the way there.
     // (With skies as cube maps, whose fetch cost a fifth more, 1.4, 1.7 and 3.4: scenes of more than a sky gained less than the sky.)
