@@ -46,7 +46,8 @@ class FluxDerivatives(support.CliTest):
                                      (disc, ("--derivatives", "camera.r", "--target", "1"), ["--derivatives: not with --target"]),
                                      (disc, ("--derivatives", "camera.r", "-o", "a.toml"), ["-o"]),
                                      (away, ("--derivatives", "camera.r"), ["not in the picture"]),
-                                     ("first-light", ("--derivatives", "camera.r"), ["[disc]"]),
+                                     ("first-light", ("--derivatives", "camera.r"), ["disc.emission: image: no derivatives of its light; allowed: thermal"]),
+                                     ("sky-only", ("--derivatives", "camera.r"), ["[disc]"]),
                                      ("soft-disc", ("--derivatives", "camera.r"), ["medium.kind", "gas: no derivatives of its flux; allowed: flow or formula"]),
                                      ("hot-flow", ("--derivatives", "disc.outer"), ['no derivatives by "disc.outer"']),
                                      ("saturn", ("--derivatives", "camera.r"), ["no derivatives of its light"])):
