@@ -147,7 +147,7 @@ TEST_CASE("tiles: balls anywhere are where they are in the picture at once" * te
             for (const bool moves : {false, true}) {
                 std::mt19937 random(3);
                 FrameDifference sum;
-                for (int i = 0; i < test::by_depth(6, 40, 120); ++i)
+                for (int i = 0; i < test::by_depth(3, 40, 120); ++i)
                     compare(*session->renderer, random_balls(metric, count, moves, random), Tiles::kBodies, sum);
                 fmt::print("tiles, {:>2} {}balls about {:<18} {} of {} pixels differ, {} by more than a rim\n", count,
                            moves ? "moving " : "", metric, sum.pixels, sum.drawn, sum.lost);
