@@ -151,15 +151,12 @@ void Spoke::add_piece(const LegendreRule& rule, const Cut& low, const Cut& high,
 
 Result<FluxGradient> flux_gradient(const PictureLight& light, const FluxRule& rule,
                                    const std::function<void(double)>& done) {
-    const CameraSpec& camera = light.scene().camera;
-    const auto from = light.view().hole();
-    if (!from || !((*from)[0] > 0 && (*from)[0] < camera.width && (*from)[1] > 0 && (*from)[1] < camera.height))
-        return bad_input("the direction to the centre is not in the picture: no flux with derivatives",
-                         "a camera that has the hole in its picture");
+    TRY(picture, picture_about_hole(light.scene().camera, light.view()));
     const LegendreRule along(rule.places), thin((rule.places + 1) / 2);
-    const SpokedPicture picture{static_cast<double>(camera.width), static_cast<double>(camera.height), *from};
-    const SpokeSum spoke = [&](double angle, FluxGradient& sum) { Spoke(light, picture, angle).add(along, thin, sum); };
-    return sum_of_spokes(picture, light.keys().size(), rule.tolerance, spoke, done);
+    const SpokeSum spoke = [&](double angle, FluxGradient& sum) {
+        Spoke(light, *picture, angle).add(along, thin, sum);
+    };
+    return sum_of_spokes(*picture, light.keys().size(), rule.tolerance, spoke, done);
 }
 
 }  // namespace nullscope

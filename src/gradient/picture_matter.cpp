@@ -151,18 +151,13 @@ double mean_light(const PictureMatter& light, const CameraSpec& camera) {
 
 Result<FluxGradient> flux_gradient(const PictureMatter& light, const MatterFluxRule& rule,
                                    const std::function<void(double)>& done) {
-    const CameraSpec& camera = light.scene().camera;
-    const auto from = light.view().hole();
-    if (!from || !((*from)[0] > 0 && (*from)[0] < camera.width && (*from)[1] > 0 && (*from)[1] < camera.height))
-        return bad_input("the direction to the centre is not in the picture: no flux with derivatives",
-                         "a camera that has the hole in its picture");
-    const SpokedPicture picture{static_cast<double>(camera.width), static_cast<double>(camera.height), *from};
+    TRY(picture, picture_about_hole(light.scene().camera, light.view()));
     const LegendreRule along(rule.places);
-    const double faint = mean_light(light, camera);
+    const double faint = mean_light(light, light.scene().camera);
     const SpokeSum spoke = [&](double angle, FluxGradient& sum) {
-        MatterSpoke(light, picture, angle, faint).add(along, sum);
+        MatterSpoke(light, *picture, angle, faint).add(along, sum);
     };
-    return sum_of_spokes(picture, light.keys().size(), rule.tolerance, spoke, done);
+    return sum_of_spokes(*picture, light.keys().size(), rule.tolerance, spoke, done);
 }
 
 }  // namespace nullscope

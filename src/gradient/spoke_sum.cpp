@@ -157,6 +157,14 @@ bool Sectors::split(const FluxGradient& all) {
 
 }  // namespace
 
+Result<SpokedPicture> picture_about_hole(const CameraSpec& camera, const CameraView& view) {
+    const auto from = view.hole();
+    if (!from || !((*from)[0] > 0 && (*from)[0] < camera.width && (*from)[1] > 0 && (*from)[1] < camera.height))
+        return bad_input("the direction to the centre is not in the picture: no flux with derivatives",
+                         "a camera that has the hole in its picture");
+    return SpokedPicture{static_cast<double>(camera.width), static_cast<double>(camera.height), *from};
+}
+
 double to_edge(const SpokedPicture& picture, double x, double y) {
     const double right = x > 0 ? picture.width - picture.from[0] : picture.from[0],
                  down = y > 0 ? picture.height - picture.from[1] : picture.from[1];

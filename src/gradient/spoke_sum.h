@@ -5,6 +5,9 @@
 #include <functional>
 #include <vector>
 
+#include "base/result.h"
+#include "gradient/camera_view.h"
+
 namespace nullscope {
 
 struct FluxGradient {
@@ -27,6 +30,8 @@ struct SpokedPicture {
     double width, height;  // px
     std::array<double, 2> from;
 };
+// The camera's, from the image of the direction to the centre. Errors: that is not in it.
+Result<SpokedPicture> picture_about_hole(const CameraSpec& camera, const CameraView& view);
 
 // From its beginning along a unit vector to the picture's edge, px.
 double to_edge(const SpokedPicture& picture, double x, double y);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "changed_scene.h"
 #include "gradient/formula_number.h"
 #include "gradient/picture_flux.h"
 #include "light/black_body.h"
@@ -18,6 +19,7 @@
 namespace {
 
 using namespace nullscope;
+using test::change_scene;
 
 struct LitCase {
     const char* name;
@@ -116,34 +118,6 @@ private:
     reference::FrameTracer tracer_;
     reference::DiscLight light_;
 };
-
-void change_scene(ParameterKind kind, double by, Scene& scene) {
-    CameraSpec& camera = scene.camera;
-    DiscSpec& disc = *scene.disc;
-    switch (kind) {
-        case ParameterKind::kSpin: scene.spacetime.parameters["spin"] += by; return;
-        case ParameterKind::kCharge: scene.spacetime.parameters["charge"] += by; return;
-        case ParameterKind::kR: camera.r += by; return;
-        case ParameterKind::kTheta: camera.theta += by; return;
-        case ParameterKind::kPhi: camera.phi += by; return;
-        case ParameterKind::kYaw: camera.yaw += by; return;
-        case ParameterKind::kPitch: camera.pitch += by; return;
-        case ParameterKind::kRoll: camera.roll += by; return;
-        case ParameterKind::kFov: set_field_of_view(camera, field_of_view(camera) + by); return;
-        case ParameterKind::kTilt: disc.lean.tilt += by; return;
-        case ParameterKind::kNode: disc.lean.node += by; return;
-        case ParameterKind::kPrecession: disc.lean.precession += by; return;
-        case ParameterKind::kVelocityR: camera.velocity.x += by; return;
-        case ParameterKind::kVelocityTheta: camera.velocity.y += by; return;
-        case ParameterKind::kVelocityPhi: camera.velocity.z += by; return;
-        case ParameterKind::kInner: disc.inner += by; return;
-        case ParameterKind::kOuter: disc.outer += by; return;
-        case ParameterKind::kTemperature: disc.temperature_K += by; return;
-        case ParameterKind::kPowers: disc.emissivity.powers.x += by; return;
-        case ParameterKind::kOpacity: disc.opacity += by; return;
-        case ParameterKind::kBrightness: disc.brightness += by; return;
-    }
-}
 
 double step_of(ParameterKind kind) { return kind == ParameterKind::kTemperature ? 20.0 : 1e-3; }
 

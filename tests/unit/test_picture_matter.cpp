@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "changed_scene.h"
 #include "gradient/matter_law.h"
 #include "gradient/picture_matter.h"
 #include "reference/emission.h"
@@ -17,6 +18,7 @@
 namespace {
 
 using namespace nullscope;
+using test::change_scene;
 
 struct MatterCase {
     const char* name;
@@ -74,24 +76,6 @@ SkyCube black_sky() {
     return sky;
 }
 
-void move_scene(ParameterKind kind, double by, Scene& scene) {
-    CameraSpec& camera = scene.camera;
-    switch (kind) {
-        case ParameterKind::kSpin: scene.spacetime.parameters["spin"] += by; return;
-        case ParameterKind::kCharge: scene.spacetime.parameters["charge"] += by; return;
-        case ParameterKind::kR: camera.r += by; return;
-        case ParameterKind::kTheta: camera.theta += by; return;
-        case ParameterKind::kPhi: camera.phi += by; return;
-        case ParameterKind::kYaw: camera.yaw += by; return;
-        case ParameterKind::kPitch: camera.pitch += by; return;
-        case ParameterKind::kRoll: camera.roll += by; return;
-        case ParameterKind::kFov: set_field_of_view(camera, field_of_view(camera) + by); return;
-        case ParameterKind::kVelocityR: camera.velocity.x += by; return;
-        case ParameterKind::kVelocityTheta: camera.velocity.y += by; return;
-        default: camera.velocity.z += by; return;
-    }
-}
-
 TEST_CASE("picture matter: values as the reference has them, derivatives as their differences") {
     constexpr double kMarch = 2e-3;  // of the light: what the reference's midpoint rule is off by in a ray
     constexpr double kDifferences =
@@ -120,8 +104,8 @@ TEST_CASE("picture matter: values as the reference has them, derivatives as thei
                 std::array<double, 4> there{};
                 for (const std::size_t side : {0, 1, 2, 3}) {
                     Scene other = scene;
-                    move_scene((*light)->keys()[k].kind, std::array{-kStep, -0.5 * kStep, 0.5 * kStep, kStep}[side],
-                               other);
+                    change_scene((*light)->keys()[k].kind, std::array{-kStep, -0.5 * kStep, 0.5 * kStep, kStep}[side],
+                                 other);
                     const auto moved = PictureMatter::make(other, {});
                     REQUIRE(moved);
                     there[side] = (*moved)->at(x, y, 1, 0, 0.01 * brightest).light;
