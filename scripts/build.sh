@@ -5,8 +5,7 @@
 #   scripts/build.sh TARGET...   only these: scripts/build.sh nullscope nullscope-viewer
 #   scripts/build.sh --configure builds nothing
 #
-# When nothing has changed it takes about a second. CMAKE_BUILD_PARALLEL_LEVEL limits the number of compilers. Where CI is set, as in
-# continuous integration, which builds once, more files are compiled together.
+# When nothing has changed it takes about a second. CMAKE_BUILD_PARALLEL_LEVEL limits the number of compilers.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -20,7 +19,7 @@ case "${1-}" in -h | --help) sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "${BASH_SOU
 if [[ ! -e $build/build.ninja ]] || ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
     echo "build: configuring in build/release; the first build takes minutes, and one that is stopped goes on with the next call" >&2
     mkdir -p "$build"
-    if ! (cd "$root" && cmake --fresh --preset release ${CI:+-DNULLSCOPE_UNITY_FILES=20}) >"$build/configure.log" 2>&1; then
+    if ! (cd "$root" && cmake --fresh --preset release) >"$build/configure.log" 2>&1; then
         tail -n 30 "$build/configure.log" >&2
         fail "configuring failed; its last lines are above, all of them in build/release/configure.log"
     fi

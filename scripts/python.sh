@@ -28,8 +28,7 @@ export CC=cc CXX=c++   # the compiler's name is part of what ccache goes by
 export PIP_DISABLE_PIP_VERSION_CHECK=1
 rm -rf "$environment"
 python3 -m venv "$environment"
-# As build.sh groups files, so that compiler caches serve both.
-"$environment/bin/pip" install --quiet ${CI:+--config-settings=cmake.define.NULLSCOPE_UNITY_FILES=20} "$root"
+"$environment/bin/pip" install --quiet "$root"
 "$environment/bin/pip" install --quiet matplotlib corner nbclient ipykernel OpenEXR h5py   # of the tests
 status=0
 for name in "$@"; do
