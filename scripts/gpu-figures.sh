@@ -30,6 +30,7 @@ case "${1-}" in
         echo "$folder: $size MiB" >&2
         exit ;;
 esac
+[[ $1 =~ ^[A-Za-z0-9_-]+$ ]] || fail "NAME: $1; letters, digits, - and _ only"   # before minutes of measuring
 results=${2-}
 if [[ -z $results ]]; then
     "$root/scripts/build.sh" nullscope golden_tests

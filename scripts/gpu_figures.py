@@ -53,11 +53,11 @@ class Measured:
 
 
 def times(data):
-    """ms of a frame by each stage and size, and at the largest size 10^9 rays a second and the cost over that of flat space."""
+    """ms of a frame by each stage and size."""
     columns = [(size, stage) for size in data.sizes() for stage in STAGES]
-    shown = lambda value, digits: f"{value:.{digits}f}" if value else ""
+    shown = lambda ms: f"{ms:.3f}" if ms else ""
     return table(["scene", *(f"{size} {stage}" for size, stage in columns)],
-                 [[scene, *(shown(data.gpu_ms(stage, size, scene), 3) for size, stage in columns)] for scene in data.scenes()])
+                 [[scene, *(shown(data.gpu_ms(stage, size, scene)) for size, stage in columns)] for scene in data.scenes()])
 
 
 def rays(data):
