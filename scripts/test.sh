@@ -2,8 +2,8 @@
 # Installs what is missing, builds what the tests need, and runs them.
 #
 #   scripts/test.sh                  what every change must pass: each promise on the cases that show its breach; of costly cases an eighth
-#   scripts/test.sh --turn           the same, of costly cases a quarter, and a quarter of what --all measures beyond it, with its
-#                                    checks: what CI runs. tests/turn.py says which, by the number in .ci/turn; four turns in a row are --all
+#   scripts/test.sh --turn           the same, and an eighth of what --all measures beyond it, with its
+#                                    checks: what CI runs. tests/turn.py says which, by the number in .ci/turn; eight turns in a row are --all
 #   scripts/test.sh --all            the same promises on every case and driver, the page, the Python package, scripts/check.sh
 #   scripts/test.sh CTEST OPTION...  single tests of the quick depth:
 #       -L unit          those of one label (unit, contract, layering, recipes, gpu, golden, proof, cli, fuzz, viewer, web, python, interop)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The turns of continuous integration: the quick tier, and at depth all a quarter of what scripts/test.sh --all measures beyond it.
+"""The turns of continuous integration: the quick tier, and at depth all an eighth of what scripts/test.sh --all measures beyond it.
 
 Usage: turn.py            the list for NULLSCOPE_TESTS of this turn (support/depth.h): the rows of turns.csv with its number, and those
                           whose code the change touches
@@ -8,7 +8,7 @@ Usage: turn.py            the list for NULLSCOPE_TESTS of this turn (support/dep
        turn.py --check    whether every test file with a depth is in turns.csv, once, and the turns are of one size
        turn.py --self-test
 
-The turn is the number in .ci/turn (or NULLSCOPE_TURN), which every submission advances by one: four in a row run everything. The
+The turn is the number in .ci/turn (or NULLSCOPE_TURN), which every submission advances by one: eight in a row run everything. The
 change is what differs from the commit that set the number before.
 """
 import csv
@@ -21,7 +21,7 @@ from pathlib import Path
 
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
-TURNS = 4
+TURNS = 8
 # Base seconds that touched code may add to a turn: what is beyond it waits for its turn, and is named. A change of everything would
 # otherwise run everything.
 MOST_TOUCHED = 60
@@ -88,14 +88,15 @@ def check(rows, tests=TESTS):
 
 
 def self_test():
-    rows = [{"turn": i % 4, "what": what, "seconds": s, "code": code.split()} for i, (what, s, code) in enumerate(
-        [("unit/test_a.cpp", 10, ""), ("unit/test_b.cpp", 10, ""), ("check/c", 10, "src/c/ x.sh"), ("unit/test_d.cpp", 10, "src/d/")])]
+    rows = [{"turn": i, "what": what, "seconds": s, "code": code.split()} for i, (what, s, code) in enumerate(   # one a turn
+        [("unit/test_a.cpp", 10, ""), ("unit/test_b.cpp", 10, ""), ("check/c", 10, "src/c/ x.sh"), ("unit/test_d.cpp", 10, "src/d/")]
+        + [(f"check/{i}", 10, "") for i in range(4, TURNS)])]
     names = lambda some: [row["what"] for row in some]
-    own, more, left = chosen(rows, 5, ["tests/unit/test_a.cpp", "src/c/file.h", "src/dd/file.h"])
+    own, more, left = chosen(rows, TURNS + 1, ["tests/unit/test_a.cpp", "src/c/file.h", "src/dd/file.h"])
     assert (names(own), names(more), left) == (["unit/test_b.cpp"], ["unit/test_a.cpp", "check/c"], []), (own, more, left)
     dear = [*rows, {"turn": 3, "what": "unit/test_e.cpp", "seconds": MOST_TOUCHED + 1.0, "code": ["src/"]}]
     assert names(chosen(dear, 0, ["src/x.h"])[2]) == ["unit/test_e.cpp"]
-    assert sorted(name for turn in range(7, 11) for name in names(chosen(rows, turn, [])[0])) == sorted(names(rows)), "four turns are all"
+    assert sorted(name for turn in range(7, 7 + TURNS) for name in names(chosen(rows, turn, [])[0])) == sorted(names(rows)), "turns in a row are all"
     with tempfile.TemporaryDirectory() as folder:
         tests = Path(folder)
         (tests / "unit").mkdir()
@@ -124,7 +125,7 @@ def main():
     if words == ["--list"]:
         for turn in range(TURNS):
             own = [row for row in rows if row["turn"] == turn]
-            print(f"turns 4 n + {turn}: {sum(row['seconds'] for row in own):.0f} base seconds\n  " + "\n  ".join(row["what"] for row in own))
+            print(f"turns {TURNS} n + {turn}: {sum(row['seconds'] for row in own):.0f} base seconds\n  " + "\n  ".join(row["what"] for row in own))
         return 0
     own, more, left = chosen(rows, number(), changed())
     print(f"turn {number()}: {len(own)} rows of turns.csv; touched by the change since {base() or '(git does not say)'}: "

@@ -61,6 +61,7 @@ class Colour(support.CliTest):
             for one, other in zip(row, wanted):
                 self.assertAlmostEqual(one, other, delta=1e-7)
 
+    @support.costly
     def test_acescg(self):
         plain, got = self.drawn("plain.exr", "--layers"), self.drawn("a.exr", "--layers", "--colour", "acescg")
         layers = [name[:-1] for name in plain if name == "R" or name.endswith(".R")]
@@ -80,6 +81,7 @@ class Colour(support.CliTest):
         self.assertEqual((self.folder / "again.exr").read_bytes(), (self.folder / "a.exr").read_bytes())
         self.is_converted(self.drawn("h.exr", "--half", "--colour", "acescg"), plain, tolerance=1e-3)
 
+    @support.costly
     def test_display(self):
         """What a PNG of 16 bits shows: exposure, tone curve, bloom, labels; of the reference too."""
         self.write("split.toml", '[camera]\nr = 8\n[sky]\nkind = "stars"\n[split]\nmetric = "kerr"\n[picture]\nbloom = 0.2\n')

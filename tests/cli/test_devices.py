@@ -59,6 +59,7 @@ class Devices(support.CliTest):
         self.assertTrue(listed)
         self.assertTrue(all("failure" in device for device in listed), listed)
 
+    @support.costly
     def test_measured_against_the_reference(self):
         first = next(device["number"] for device in self.devices() if device.get("taken"))
         (measured,) = self.devices("--measure", "first-light", "zoom", *SMALL, "--device", first, "--pictures", self.folder)

@@ -54,6 +54,7 @@ class Gallery(support.CliTest):
         found = faults(page.read_text(), self.scenes(), ROOT / "assets/gallery")
         self.assertFalse(found, f"{AGAIN}: " + "; ".join(found))
 
+    @support.costly
     def test_the_script_makes_a_page_of_single_scenes(self):
         scenes = {name: sentence for name, sentence in self.scenes().items() if name in ("flat", "two-spacetimes")}
         self.make(*scenes)

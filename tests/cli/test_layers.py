@@ -169,6 +169,7 @@ refine = "off"
         self.assertGreater(len(errors), 500)
         self.assertLess(max(errors), 0.02)
 
+    @support.costly
     def test_st_maps_go_on_behind_what_covers_the_sky(self):
         """They are those of the scene without disc and ball, which has a hole's shadow only."""
         sky = '[camera]\nr = 20\nfov = 40\ntheta = 80\n'

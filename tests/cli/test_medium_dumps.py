@@ -171,6 +171,7 @@ class Dumps(support.CliTest):
         self.write("flow-00006.grid", grid(3, nodes=(8, 5, 4)))
         self.refused(*capture, "--frames", "0:2", "--time-step", 2.5, says=["medium.file", "\"flow-00006.grid\" has other nodes of phi than \"flow-00003.grid\""])
 
+    @support.costly
     def test_memory_does_not_grow_with_the_number_of_dumps(self):
         """Twice the dumps, and no more at once."""
         nodes = (96, 64, 64)   # 12.6 MB

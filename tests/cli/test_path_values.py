@@ -76,6 +76,7 @@ class PathValues(support.CliTest):
     def pixels(self, name):
         return read_png(self.folder / name).data
 
+    @support.costly
     def test_frames_are_the_scenes_with_these_values(self):
         """Two keys: evenly between. The picture is that of --set, and is drawn again from its own metadata."""
         for text, key, cases in ((SPIN, "spacetime.spin", ((2, -0.4), (4, 0.0), (6, 0.4))), (CHARGE, "spacetime.charge", ((1, 0.3), (2, 0.5)))):

@@ -174,6 +174,7 @@ class Pictures(support.CliTest):
         space = "{http://ns.google.com/photos/1.0/panorama/}"
         return {key[len(space):]: value for node in ElementTree.fromstring(found[0]).iter() for key, value in node.attrib.items() if key.startswith(space)}
 
+    @support.costly
     def test_panoramas_say_which_part_of_the_sphere_they_are(self):
         names = ("FullPanoWidthPixels", "FullPanoHeightPixels", "CroppedAreaImageWidthPixels", "CroppedAreaImageHeightPixels",
                  "CroppedAreaLeftPixels", "CroppedAreaTopPixels")
@@ -201,6 +202,7 @@ class Pictures(support.CliTest):
         self.run_nullscope("capture", "0.png", "-o", "again.png")
         self.assertEqual((self.folder / "again.png").read_bytes(), (self.folder / "0.png").read_bytes())
 
+    @support.costly
     def test_streamlines_are_over_displayed_pictures_that_are_not_plain(self):
         text = self.run_nullscope("scenes", "m87-swirl").out.replace('scale_bar = "uas"\n', "").replace('dither = "on"\n', "").replace(
             'ticks = "on"', 'streamlines = "on"')

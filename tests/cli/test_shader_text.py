@@ -188,6 +188,7 @@ def words_in(code, effect):
 
 
 class ShaderText(support.CliTest):
+    @support.costly
     def test_nothing_of_an_effect_that_is_off(self):
         seen_on = set()
         for name, text in SCENES.items():

@@ -69,6 +69,7 @@ class Stereo(support.CliTest):
         self.assertLessEqual((max(steps) if most else 0), most)
         self.assertLess(sum(steps) / len(steps), mean)
 
+    @support.costly
     def test_a_pair_is_two_cameras_pictures_left_eye_first(self):
         for metric in ("minkowski", "schwarzschild"):
             size = f"size = [{WIDTH}, {HEIGHT}]"

@@ -74,6 +74,7 @@ class PhotonRing(support.CliTest):
         print(f"off by {self.off(parts)[0]:.2g} of the envelope; pixels of that cost, beyond 20 Gλ, by {self.off(grid)[1]:.2g}")
         self.assertRegex(ran.err, r"from [\d.]+ Gλ on half of the pixels would change V .* --rings")
 
+    @support.costly
     def test_they_cost_four_pictures_at_most(self):
         scene = self.write("ring.toml", FACE_ON)
         picture = self.spent("capture", scene, "-o", "p.png")

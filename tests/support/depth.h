@@ -46,21 +46,19 @@ T by_depth(T quick, T all, T everything, const char* file = __builtin_FILE()) {
     return asked == Depth::kQuick ? quick : asked == Depth::kAll ? all : everything;
 }
 
-// Costly cases take more than some 0.7 base seconds at quick depth. That depth runs one part of them, chosen by NULLSCOPE_RUN: an eighth,
-// and in a turn of continuous integration, where NULLSCOPE_TURN is set and both are one number, a quarter, so that four turns run each.
-// Without NULLSCOPE_RUN all are run.
-inline constexpr int kCostlyParts = 8, kCostlyPartsOfTurns = 4;
+// Costly cases take more than some 0.7 base seconds at quick depth. That depth runs an eighth of them, chosen by NULLSCOPE_RUN, which in
+// continuous integration is the number of the turn: eight turns run each. Without NULLSCOPE_RUN all are run.
+inline constexpr int kCostlyParts = 8;
 
 // number: of the program's costly cases.
-inline bool is_of_another_run(int number, std::string_view run, int parts) {
-    return !run.empty() && number % parts != std::atoll(std::string(run).c_str()) % parts;
+inline bool is_of_another_run(int number, std::string_view run) {
+    return !run.empty() && number % kCostlyParts != std::atoll(std::string(run).c_str()) % kCostlyParts;
 }
 
 inline bool left_to_another_run(const char* file) {
     static int number = 0;
     const int own = number++;
-    const int parts = environment_word("NULLSCOPE_TURN").empty() ? kCostlyParts : kCostlyPartsOfTurns;
-    return depth(file) == Depth::kQuick && is_of_another_run(own, environment_word("NULLSCOPE_RUN"), parts);
+    return depth(file) == Depth::kQuick && is_of_another_run(own, environment_word("NULLSCOPE_RUN"));
 }
 
 // Which cases of a list a test measures: all; at quick depth every step-th, the first among them.
