@@ -19,6 +19,7 @@ RING_PARTS = ("unit_tests", "ring parts*")
 TELESCOPE = ("unit_tests", "telescope*")
 LIVE = ("unit_tests", "live*")
 GRADIENT = ("unit_tests", "ray gradients*")
+MOTION = ("unit_tests", "picture motion: the reference*")
 
 
 class Mutant(NamedTuple):
@@ -342,6 +343,8 @@ MUTANTS = [Mutant(*row) for row in [
      "-(dot(plane_.normal, place_of(s)) / dot(plane_.normal, speed(s, rate)))", "Number(-(dot(plane_.normal, place_of(s)) / dot(plane_.normal, speed(s, rate))).value)", GRADIENT),
     ("gradient-chain", "a division without the derivative of what it is by", "src/gradient/dual.h",
      "(a.d[i] - x.value * b.d[i]) / b.value", "a.d[i] / b.value", GRADIENT),
+    ("motion-turn", "places on the disc do not turn with the camera's azimuth", "src/gradient/picture_motion.cpp",
+     "derivative_of_azimuth(crossing.bearing, by)", "derivative(crossing.bearing, by)", MOTION),
     ("fit-flux", "the scale that fits best is its inverse", "src/fit/problem.cpp",
      "with_itself > 0 ? with_data / with_itself : 1", "with_itself > 0 ? with_itself / with_data : 1", ("cli", "test_fit.py")),
     ("fit-seconds", "a second is the inverse of its length in r_s/c", "src/fit/curve_subject.cpp",

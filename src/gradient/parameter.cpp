@@ -130,7 +130,7 @@ Change change_by(ParameterKind kind, const LookedAlong& view, const Scene& scene
         case ParameterKind::kTemperature: return seed(kSeedTemperature);
         case ParameterKind::kPowers: return seed(kSeedPowers);
         case ParameterKind::kOpacity: return seed(kSeedOpacity);
-        case ParameterKind::kBrightness: return seed(kSeedBrightness);
+        case ParameterKind::kDiscBrightness: return seed(kSeedBrightness);
         case ParameterKind::kVelocityR:
         case ParameterKind::kVelocityTheta:
         case ParameterKind::kVelocityPhi: break;

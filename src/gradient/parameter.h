@@ -34,7 +34,7 @@ enum class ParameterKind {
     kTemperature,
     kPowers,
     kOpacity,
-    kBrightness
+    kDiscBrightness
 };
 // Of camera.velocity, 0 to 2; else -1.
 int velocity_axis(ParameterKind kind);

@@ -10,6 +10,7 @@
 #include "studio/loop_watch.h"
 #include "studio/user_files.h"
 #include "viewer/bookmark_panel.h"
+#include "viewer/change_watch.h"
 #include "viewer/probe.h"
 #include "viewer/scene_editor.h"
 #include "viewer/telescope_panel.h"
@@ -29,6 +30,7 @@ struct PanelParts {
     TourPanel tour;
     LoopWatch loop;
     TelescopePanel telescope;
+    ChangeWatch changes;
     const std::vector<TourInfo>& all_tours() {  // that ship, read once
         if (tours.empty()) tours = shipped_tours();
         return tours;

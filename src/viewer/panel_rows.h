@@ -5,7 +5,7 @@
 namespace nullscope::viewer {
 
 extern const Panel kSidePanel, kTimelinePanel, kProbePanel, kBookmarksPanel, kHistogramPanel, kLoopPanel,
-    kTelescopePanel, kKeysPanel, kEditorPanel, kAboutPanel, kToursPanel;
+    kTelescopePanel, kChangePanel, kKeysPanel, kEditorPanel, kAboutPanel, kToursPanel;
 
 inline constexpr const Panel* kPanelRows[] = {
     &kSidePanel,       //
@@ -15,6 +15,7 @@ inline constexpr const Panel* kPanelRows[] = {
     &kHistogramPanel,  //
     &kLoopPanel,       // beside the histogram
     &kTelescopePanel,  // beside the histogram
+    &kChangePanel,     //
     &kKeysPanel,       //
     &kEditorPanel,     // above the strips
     &kAboutPanel,      //

@@ -22,7 +22,7 @@ void Viewer::log_rest() {
     if (const Status written = logs_.layout.rest(logs_.last_key); !written) say(written.error().message());
     const bool loop_due = is_open(view_, kLoopPanel) && panels_.loop.waits();
     logs_.turns.rest(logs_.last_key, cover_.accuracy->at_work() || cover_.orders_at_work() || times_due || loop_due ||
-                                         polarisation_.waits());
+                                         polarisation_.waits() || panels_.changes.at_work());
 }
 
 bool Viewer::in_motion() const {
@@ -69,6 +69,7 @@ void Viewer::measure_polarisation(bool still) {
 }
 
 void Viewer::follow_loop() {
+    if (panels_.changes.take_news()) pace_.want(kNewsFrames);
     if (!is_open(view_, kLoopPanel)) {
         if (std::exchange(traces_loop_, false)) painter_->trace_loop({});
         return;

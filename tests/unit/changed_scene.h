@@ -30,7 +30,7 @@ inline void change_scene(ParameterKind kind, double by, Scene& scene) {
         case ParameterKind::kTemperature: scene.disc->temperature_K += by; return;
         case ParameterKind::kPowers: scene.disc->emissivity.powers.x += by; return;
         case ParameterKind::kOpacity: scene.disc->opacity += by; return;
-        case ParameterKind::kBrightness: scene.disc->brightness += by; return;
+        case ParameterKind::kDiscBrightness: scene.disc->brightness += by; return;
     }
 }
 

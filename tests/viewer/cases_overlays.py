@@ -461,6 +461,30 @@ def test_the_numbers_of_polarised_light_are_those_of_capture(screen, program, fo
         assert measured() != shown, "the numbers stay where the view has turned"
 
 
+def test_what_changes_is_drawn_as_arrows(screen, program, folder):
+    """A roll by 1 degree moves what is d px from the middle by d pi/180: half of the arrows of a picture of w x h lie within 0.383 of a side of a square."""
+    scene = '[spacetime]\nmetric = "minkowski"\n[camera]\nr = 20.0\nfov = 40.0\n'
+    with opened(screen, program, scene=scene) as v:
+        plain = v.picture()
+        v.settle("key", "j", measured=True)
+        assert says(v, "camera.r + 1 %") and says(v, "nothing moves"), v.layout().texts   # a sky far away
+        v.click(*v.layout().place("camera.r + 1 %", "What_changes"))
+        v.click(*v.layout().place("camera.roll", "##Combo"))
+        v.settle("mousemove", *BESIDE, measured=True)
+        shown = {words: v.layout().place(words, "What_changes") for words in ("Median", "95 % below")}
+        assert all(shown.values()), v.layout().texts
+        v.changes("arrows are drawn", plain)
+        median = next(float(words.removesuffix(" px").split()[-1]) for window, words, _ in v.layout().texts if window == "What_changes" and words.endswith(" px"))
+        rows, columns = 22, int(WIDTH / (HEIGHT / 22))
+        known = sorted(math.hypot((x + 0.5) / columns * WIDTH - WIDTH / 2, (y + 0.5) / rows * HEIGHT - HEIGHT / 2) for x in range(columns) for y in range(rows))
+        assert abs(median - known[(len(known) - 1) // 2] * math.pi / 180) < 0.06 * median, (median, known[len(known) // 2] * math.pi / 180)
+        v.settle("key", "Escape")
+        assert "What_changes" not in v.layout().windows, "Escape does not close it"
+    with opened(screen, program, scene=scene + 'observer = "rain"\n') as v:
+        v.settle("key", "j", measured=True)
+        assert says(v, "\"rain\": no"), v.layout().texts
+
+
 def test_the_ray_about_a_rotating_hole_is_drawn(screen, program, folder):
     with opened(screen, program, scene=DARK + '[spacetime]\nmetric = "kerr"\n') as v:
         assert v.count(INSET, RAY) == 0, "a ray that nobody asked for"
@@ -484,7 +508,7 @@ CASES = []
 if EVERYTHING:
     CASES += [test_both_sides_of_a_comparison_have_image_orders, test_lengths_of_the_panels_are_in_the_chosen_unit,
               test_z_and_the_wheel_zoom_into_the_photon_ring, test_the_ring_of_a_rotating_hole_can_be_zoomed_into,
-              test_the_numbers_of_polarised_light_are_those_of_capture,
+              test_the_numbers_of_polarised_light_are_those_of_capture, test_what_changes_is_drawn_as_arrows,
               test_units_are_chosen_and_kept, test_a_path_is_eased, test_image_orders_are_coloured,
               test_the_embedding_diagram_is_drawn, test_the_ray_about_a_rotating_hole_is_drawn, test_framing_guides_lie_over_the_picture,
               test_the_histogram_says_what_the_saved_picture_has, test_the_loop_of_a_hot_spot_is_drawn_behind_its_picture,
