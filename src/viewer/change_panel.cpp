@@ -37,6 +37,7 @@ struct ChangeChoice {
 // The share-th of their lengths, px.
 double length_at(const std::vector<ChangeArrow>& arrows, double share) {
     std::vector<double> lengths;
+    lengths.reserve(arrows.size());
     for (const ChangeArrow& arrow : arrows) lengths.push_back(std::hypot(arrow.right, arrow.down));
     if (lengths.empty()) return 0.0;
     const auto at = lengths.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(lengths.size() - 1));

@@ -55,8 +55,9 @@ void ChangeWatch::find(const std::stop_token& stop, const Scene& scene, const Ch
     const int width = scene.camera.width, height = scene.camera.height;
     const TickGrid grid = tick_grid(width, height);
     for (int i = 0; i < grid.columns * grid.rows && !stop.stop_requested(); ++i) {
+        const int row = i / grid.columns;
         const double x = (i % grid.columns + 0.5) * width / grid.columns;
-        const double y = (i / grid.columns + 0.5) * height / grid.rows;
+        const double y = (row + 0.5) * height / grid.rows;
         // Next to the critical curve the picture is folded ever more narrowly: arrows longer than the way there say nothing.
         if (const auto place = (*motion)->at(x, y)) {
             const double right = key.step * place->right, down = key.step * place->down;

@@ -12,6 +12,8 @@
 #include "observer/pose.h"
 #include "reference/frame_tracer.h"
 #include "scene/projection.h"
+#include "scenefile/scene_file.h"
+#include "support/costly.h"
 
 namespace {
 
@@ -165,6 +167,33 @@ TEST_CASE("picture motion: what falls in moves nowhere, and keys that the scene 
     const auto refused = PictureMotion::make(scene, "spin");
     REQUIRE_FALSE(refused);
     CHECK(refused.error().message().find("camera.theta") != std::string::npos);
+}
+
+// Next to horizons, of charged and extremal holes, by formulas, from within throats: numbers, or a reason why there are none.
+TEST_CASE("picture motion: of every scene that ships" * test::costly()) {
+    int scenes = 0, places = 0;
+    for (const SceneInfo& info : shipped_scenes()) {
+        const auto scene = load_scene(info.name);
+        REQUIRE(scene);
+        for (const std::string_view key : parameter_names(*scene)) {
+            const auto motion = PictureMotion::make(*scene, std::string(key));
+            if (!motion) {
+                CHECK_FALSE(motion.error().allowed.empty());
+                break;
+            }
+            scenes += key == parameter_names(*scene).front() ? 1 : 0;
+            for (int i = 0; i < 6; ++i)
+                if (const auto found = (*motion)->at(scene->camera.width * (0.1 + 0.16 * i),
+                                                     scene->camera.height * (0.3 + 0.08 * i))) {
+                    INFO(info.name, " ", key);
+                    CHECK((std::isfinite(found->right) && std::isfinite(found->down) &&
+                           !std::isnan(found->off_critical)));
+                    ++places;
+                }
+        }
+    }
+    CHECK(scenes > 20);
+    CHECK(places > 600);
 }
 
 }  // namespace
