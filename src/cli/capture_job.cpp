@@ -6,12 +6,14 @@
 #include <memory>
 #include <utility>
 
+#include "base/text.h"
 #include "cli/cube_faces.h"
 #include "cli/film.h"
 #include "cli/option_rules.h"
 #include "cli/picture_file.h"
 #include "cli/recorded_options.h"
 #include "command/band_pictures.h"
+#include "command/derivative_channels.h"
 #include "command/stereo_capture.h"
 #include "compare/stokes_measures.h"
 #include "observer/path.h"
@@ -134,6 +136,9 @@ Result<CaptureJob> capture_job(const CaptureOptions& options, const OpenedScene&
     }
     TRY(good, check_output(options));
     TRY(agree, check_rules(options, job.scene));
+    if (!options.derivatives.empty()) {
+        TRY(there, check_derivatives(job.scene, split(options.derivatives, ',')));
+    }
     if (!options.split.empty()) {
         TRY(other, split_of(options, opened));
         job.split = std::move(other->scene);

@@ -56,6 +56,12 @@ void add_file_options(Command& command, CaptureOptions& options) {
                 {"rec709", "acescg", "display"});
     command.add_flag("--raydata", &options.raydata,
                      "Also write where each pixel's ray ends, as channels of the EXR (docs/ray-data.md)");
+    command
+        .add_option("--derivatives", &options.derivatives,
+                    "With --raydata: how the ray data, and places in the picture, change with these keys "
+                    "(spin,camera.theta), as channels d_KEY.x ... of "
+                    "the EXR; half a core-millisecond a pixel (docs/ray-data.md)")
+        .needs("--raydata");
     command.add_flag("--layers", &options.layers,
                      "Write layers for compositing as channels of the EXR: image orders of the disc, bodies, sky, "
                      "coverage, ray data, ST maps, in sequences motion vectors (docs/layers.md)");

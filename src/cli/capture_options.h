@@ -25,6 +25,7 @@ struct CaptureOptions : DrawOptions {
     std::optional<int> quality;  // of a JPEG
     std::string bits;  // of a colour of a displayed picture: "8", "10" (films), "16"; empty: as its format has it
     std::string colour = "rec709";  // of an EXR
+    std::string derivatives;        // keys, with commas between, of the ray data
     int workers = 1;
     std::vector<std::string> set;     // scenefile/scene_override.h
     std::vector<std::string> ffmpeg;  // options for the film

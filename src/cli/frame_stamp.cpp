@@ -45,6 +45,7 @@ std::string frame_stamp(const StampInput& input) {
     std::string text = fmt::format("program version = {}\n", input.version);
     text += fmt::format("kind of file = {}\n", options.to_film() ? ".png" : kind);
     text += fmt::format("--raydata = {}\n", options.raydata);
+    if (!options.derivatives.empty()) text += fmt::format("--derivatives = {}\n", options.derivatives);
     text += fmt::format("--layers = {}\n--st-map = {}\n", options.layers, options.st_map);
     text += fmt::format("--half = {}\n", options.half);
     text += fmt::format("--quality = {}\n", options.quality.value_or(kJpegQuality));

@@ -9,7 +9,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text.h"
 #include "command/band_pictures.h"
+#include "command/derivative_channels.h"
 #include "command/fits_header.h"
 #include "command/sky_light.h"
 #include "compare/ray_channels.h"
@@ -166,6 +168,11 @@ Status write_exr(LightFile file) {
     add_bands(captured.bands, channels);
     for (int c = 0; c < 3; ++c) channels.channels[std::string(1, "RGB"[c])] = channel_of(light, c);
     if (captured.rays) add_ray_channels(*captured.rays, RayNames::kAlone, channels);
+    if (captured.rays && !file.options.derivatives.empty()) {
+        const Advance advance = file.options.listener.progress("derivatives", captured.rays->height);
+        TRY(added, add_derivative_channels(file.origin.scene, nullscope::split(file.options.derivatives, ','),
+                                           *captured.rays, advance, channels));
+    }
     if (captured.layers) add_layer_channels(*captured.layers, file.origin.scene, channels);
     if (!captured.stokes.empty())
         for (int c = 0; c < kStokesParameters; ++c)

@@ -50,6 +50,7 @@ std::string recorded_options(const RunOptions& run, const Scene& scene) {
     }
     if (options.half) words.emplace_back("--half");
     if (options.raydata) words.emplace_back("--raydata");
+    if (!options.derivatives.empty()) add("--derivatives", options.derivatives);
     if (options.layers) words.emplace_back("--layers");
     if (!options.st_map.empty()) add("--st-map", options.st_map);
     if (options.format_has("--quality")) add("--quality", options.quality.value_or(kJpegQuality));
@@ -82,10 +83,11 @@ Result<CaptureOptions> with_recorded(CaptureOptions options, const OpenedScene& 
             without_controls(fmt::format("{}: {}: {}", options.scene, kOptionsWord, asked.error().message())));
 
     const Names out = displaced(options, {options.given.begin(), options.given.end()}), lost = without_place(options);
-    static constexpr std::array<std::string_view, 20> kRecorded = {
-        "--renderer", "--samples",   "--method",     "--tiles",     "--stage", "--largest-texture", "--half",
-        "--raydata",  "--layers",    "--st-map",     "--quality",   "--plain", "--frames",          "--size",
-        "--time",     "--time-step", "--time-frame", "--max-error", "--bits",  "--colour"};
+    static constexpr std::array<std::string_view, 21> kRecorded = {
+        "--renderer",  "--samples", "--method",      "--tiles",  "--stage",     "--largest-texture",
+        "--half",      "--raydata", "--derivatives", "--layers", "--st-map",    "--quality",
+        "--plain",     "--frames",  "--size",        "--time",   "--time-step", "--time-frame",
+        "--max-error", "--bits",    "--colour"};
     std::vector<std::string_view> left_out;
     for (std::size_t i = 0; i < command.options().size(); ++i) {
         const Option& option = *command.options()[i];

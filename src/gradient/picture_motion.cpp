@@ -38,11 +38,11 @@ Pair on_sky(const Triple& direction, const Change& by) {
 
 }  // namespace
 
-Result<std::unique_ptr<PictureMotion>> PictureMotion::make(const Scene& scene, const std::string& key) {
+Result<std::unique_ptr<PictureMotion>> PictureMotion::make(const Scene& scene, const std::vector<std::string>& keys) {
     std::unique_ptr<PictureMotion> motion(new PictureMotion);
     motion->scene_ = scene;
-    TRY(parameters, parse_parameters({key}, scene));
-    motion->kind_ = parameters->front().kind;
+    TRY(parameters, parse_parameters(keys, scene));
+    motion->keys_ = std::move(*parameters);
     TRY(flow, flow_of(scene.spacetime));
     motion->flow_ = std::move(*flow);
     TRY(view, CameraView::make(motion->scene_, *motion->flow_));
@@ -50,26 +50,35 @@ Result<std::unique_ptr<PictureMotion>> PictureMotion::make(const Scene& scene, c
     return motion;
 }
 
-std::optional<PictureMotion::Place> PictureMotion::at(double x, double y) const {
+PictureMotion::Place PictureMotion::at(double x, double y) const {
     const CameraView::Seen seen = view_->seen(x, y);
     GradientTask task;
     task.time = scene_.time, task.tolerance = kMotionTolerance;
     if (scene_.disc) task.lean = scene_.disc->lean, task.crossings = kMostCrossings;
     const RayGradient found = ray_gradient(*flow_, seen.launch, task);
-    const Change by_x = view_->moved(seen, x, y, 1, 0), by_y = view_->moved(seen, x, y, 0, 1),
-                 by_key = view_->change(kind_, seen);
-    const auto is_on = [this](const auto& crossing) {
+    const Change by_x = view_->moved(seen, x, y, 1, 0), by_y = view_->moved(seen, x, y, 0, 1);
+    const auto first = std::ranges::find_if(found.crossings, [this](const RayGradient::Crossing& crossing) {
         return crossing.r.value >= scene_.disc->inner && crossing.r.value <= scene_.disc->outer;
-    };
-    std::optional<Pair> moved;
-    if (const auto first = std::ranges::find_if(found.crossings, is_on); first != found.crossings.end())
-        moved = kept_by(on_disc(*first, by_x), on_disc(*first, by_y), on_disc(*first, by_key));
-    else if (found.sky)
-        moved = kept_by(on_sky(found.sky->direction, by_x), on_sky(found.sky->direction, by_y),
-                        on_sky(found.sky->direction, by_key));
-    if (!moved) return std::nullopt;
+    });
+    const Number shift = found.g * seen.shift;
     const double pixel = std::hypot(by_x.seeds[kSeedAside], by_x.seeds[kSeedAcross]);
-    return Place{(*moved)[0], (*moved)[1], found.off_critical / pixel};
+    Place place{found.sky.has_value(), found.off_critical / pixel, {}};
+    for (const Parameter& key : keys_) {
+        const Change by = view_->change(key.kind, seen);
+        ByKey& moved = place.by.emplace_back();
+        moved.shift = derivative(shift, by);
+        if (found.sky)
+            moved.sky = derivative_of_direction(found.sky->direction, by),
+            moved.delay = derivative(found.sky->delay, by);
+        const auto kept = [&](const auto& what) { return kept_by(what(by_x), what(by_y), what(by)); };
+        std::optional<Pair> to;
+        if (first != found.crossings.end())
+            to = kept([&](const Change& change) { return on_disc(*first, change); });
+        else if (found.sky)
+            to = kept([&](const Change& change) { return on_sky(found.sky->direction, change); });
+        if (to) moved.move = {(*to)[0], (*to)[1]};
+    }
+    return place;
 }
 
 }  // namespace nullscope

@@ -200,7 +200,7 @@ const PictureFormat kExrFormat = {
     .other = "",
     .sample = Sample::kLight,
     .help = "linear light, optional ray data",
-    .options = "--half --colour --raydata --layers --st-map",
+    .options = "--half --colour --raydata --derivatives --layers --st-map",
     .is = [](std::string_view bytes) { return bytes.starts_with(kMagic); },
     .texts = exr_texts_of,
 };

@@ -11,14 +11,14 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kOneDegree = std::numbers::pi / 180.0;
 constexpr double kPartOfRadius = 0.01;  // of camera.r, its step
 
 ChangeKey key_of(const std::string& name, const Scene& scene) {
     if (name == "spin" || name == "charge") return {name, 0.01, "+ 0.01"};
     if (name == "camera.r") return {name, kPartOfRadius * scene.camera.r, "+ 1 %"};
     if (name == "disc.precession") return {name, 0.001, "+ 0.001 rad per r_s/c"};
-    return {name, kDegree, "+ 1\u00b0"};
+    return {name, kOneDegree, "+ 1\u00b0"};
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ void ChangeWatch::look(int number, const Scene& scene, const ChangeKey& key, boo
 }
 
 void ChangeWatch::find(const std::stop_token& stop, const Scene& scene, const ChangeKey& key) {
-    const auto motion = PictureMotion::make(scene, key.name);
+    const auto motion = PictureMotion::make(scene, {key.name});
     if (!motion) {
         error_ = motion.error().message();
         return;
@@ -59,10 +59,11 @@ void ChangeWatch::find(const std::stop_token& stop, const Scene& scene, const Ch
         const double x = (i % grid.columns + 0.5) * width / grid.columns;
         const double y = (row + 0.5) * height / grid.rows;
         // Next to the critical curve the picture is folded ever more narrowly: arrows longer than the way there say nothing.
-        if (const auto place = (*motion)->at(x, y)) {
-            const double right = key.step * place->right, down = key.step * place->down;
-            if (std::hypot(right, down) < place->off_critical) arrows_.push_back({x, y, right, down});
-        }
+        const PictureMotion::Place place = (*motion)->at(x, y);
+        const auto& move = place.by.front().move;
+        if (!move) continue;
+        const double right = key.step * move->right, down = key.step * move->down;
+        if (std::hypot(right, down) < place.off_critical) arrows_.push_back({x, y, right, down});
     }
 }
 

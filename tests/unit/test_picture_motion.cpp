@@ -58,12 +58,13 @@ TEST_CASE("picture motion: turns and widths of the camera move all as its projec
     std::uniform_real_distribution<double> place(0.0, kPictureSide);
     const Scene scene = motion_scene("kerr", {{"spin", 0.7}}, true);
     for (const char* key : {"camera.yaw", "camera.pitch", "camera.roll", "camera.fov"}) {
-        const auto motion = PictureMotion::make(scene, key);
+        const auto motion = PictureMotion::make(scene, {key});
         REQUIRE(motion);
         int seen = 0;
         for (int i = 0; i < kPlaces; ++i) {
             const double x = place(random), y = place(random);
-            const auto found = (*motion)->at(x, y);
+            const PictureMotion::Place at = (*motion)->at(x, y);
+            const auto& found = at.by.front().move;
             if (!found) continue;
             const Vec3 direction = static_from_camera(scene.camera) * pixel_direction(scene.camera, x, y);
             const auto moved = [&](double by) {
@@ -117,7 +118,7 @@ TEST_CASE("picture motion: the reference sees the same place again where it has 
     for (const MotionCase& of : cases)
         for (const std::string key : of.keys) {
             const Scene scene = motion_scene(of.metric, of.parameters, of.disc);
-            const auto motion = PictureMotion::make(scene, key);
+            const auto motion = PictureMotion::make(scene, {key});
             REQUIRE(motion);
             const auto tracer_by = [&](double by) {
                 Scene other = scene;
@@ -130,8 +131,9 @@ TEST_CASE("picture motion: the reference sees the same place again where it has 
             int judged = 0;
             for (int i = 0; i < kPlaces; ++i) {
                 const double x = place(random), y = place(random);
-                const auto found = (*motion)->at(x, y);
-                if (!found || found->off_critical < kFromCritical_px ||
+                const PictureMotion::Place at = (*motion)->at(x, y);
+                const auto& found = at.by.front().move;
+                if (!found || at.off_critical < kFromCritical_px ||
                     std::hypot(found->right, found->down) * kStep > kFarthest_px)
                     continue;
                 const auto with = [&](const reference::FrameTracer& tracer, double by) {
@@ -161,10 +163,12 @@ TEST_CASE("picture motion: the reference sees the same place again where it has 
 TEST_CASE("picture motion: what falls in moves nowhere, and keys that the scene lacks are refused with those it has") {
     Scene scene = motion_scene("schwarzschild", {}, false);
     scene.camera.yaw = scene.camera.pitch = 0.0;  // to the hole's centre
-    const auto motion = PictureMotion::make(scene, "camera.theta");
+    const auto motion = PictureMotion::make(scene, {"camera.theta"});
     REQUIRE(motion);
-    CHECK_FALSE((*motion)->at(kPictureSide / 2 + 3, kPictureSide / 2 - 2));
-    const auto refused = PictureMotion::make(scene, "spin");
+    const PictureMotion::Place at = (*motion)->at(kPictureSide / 2 + 3, kPictureSide / 2 - 2);
+    CHECK_FALSE(at.by.front().move);
+    CHECK_FALSE(at.sees_sky);
+    const auto refused = PictureMotion::make(scene, {"spin"});
     REQUIRE_FALSE(refused);
     CHECK(refused.error().message().find("camera.theta") != std::string::npos);
 }
@@ -176,20 +180,23 @@ TEST_CASE("picture motion: of every scene that ships" * test::costly()) {
         const auto scene = load_scene(info.name);
         REQUIRE(scene);
         for (const std::string_view key : parameter_names(*scene)) {
-            const auto motion = PictureMotion::make(*scene, std::string(key));
+            const auto motion = PictureMotion::make(*scene, {std::string(key)});
             if (!motion) {
                 CHECK_FALSE(motion.error().allowed.empty());
                 break;
             }
             scenes += key == parameter_names(*scene).front() ? 1 : 0;
-            for (int i = 0; i < 6; ++i)
-                if (const auto found = (*motion)->at(scene->camera.width * (0.1 + 0.16 * i),
-                                                     scene->camera.height * (0.3 + 0.08 * i))) {
-                    INFO(info.name, " ", key);
-                    CHECK((std::isfinite(found->right) && std::isfinite(found->down) &&
-                           !std::isnan(found->off_critical)));
-                    ++places;
-                }
+            for (int i = 0; i < 6; ++i) {
+                const PictureMotion::Place at =
+                    (*motion)->at(scene->camera.width * (0.1 + 0.16 * i), scene->camera.height * (0.3 + 0.08 * i));
+                const PictureMotion::ByKey& by = at.by.front();
+                INFO(info.name, " ", key);
+                CHECK_FALSE(std::isnan(at.off_critical));
+                CHECK((std::isfinite(by.sky.x) && std::isfinite(by.sky.y) && std::isfinite(by.sky.z)));
+                CHECK((std::isfinite(by.shift) && std::isfinite(by.delay)));
+                CHECK((!by.move || (std::isfinite(by.move->right) && std::isfinite(by.move->down))));
+                places += by.move ? 1 : 0;
+            }
         }
     }
     CHECK(scenes > 20);
