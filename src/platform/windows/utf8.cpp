@@ -103,6 +103,11 @@ std::size_t wcsrtombs(char* to, const wchar_t** from, std::size_t count, std::mb
     }
 }
 
+// The most bytes that a character has: msvcrt says 1, and libstdc++ gives wcrtomb() no more room than by this.
+static int most_bytes() { return 4; }
+extern int (*const __imp____mb_cur_max_func)();
+int (*const __imp____mb_cur_max_func)() = most_bytes;  // where a caller of a DLL looks for its address
+
 }  // extern "C"
 
 namespace nullscope::platform {
