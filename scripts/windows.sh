@@ -72,7 +72,7 @@ imgui() {
     local tree=$folder/sources/imgui/tree file
     mkdir -p "$folder/sources/imgui/build" "$folder/prefix/include/imgui/backends"
     for file in "$tree"/imgui*.cpp "$tree"/misc/cpp/imgui_stdlib.cpp "$tree"/backends/imgui_impl_{glfw,opengl3}.cpp; do
-        x86_64-w64-mingw32-g++-posix -O2 -DNDEBUG -fvisibility=hidden -I"$tree" -I"$folder/prefix/include" -c "$file" \
+        x86_64-w64-mingw32-g++-posix -O2 -DNDEBUG -fno-ipa-ra -fvisibility=hidden -I"$tree" -I"$folder/prefix/include" -c "$file" \
             -o "$folder/sources/imgui/build/$(basename "$file" .cpp).o" >>"$folder/sources/imgui.log" 2>&1 || { tail -n 20 "$folder/sources/imgui.log" >&2; exit 1; }
     done
     x86_64-w64-mingw32-ar rcs "$folder/prefix/lib/libimgui.a" "$folder"/sources/imgui/build/*.o
@@ -100,7 +100,7 @@ if wanted libraries; then
     library fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
     library libjpeg-turbo -DENABLE_SHARED=OFF -DWITH_SIMD=OFF -DWITH_TURBOJPEG=OFF
     library libpng1.6 -DPNG_SHARED=OFF -DPNG_TESTS=OFF
-    library tiff -Dtiff-tools=OFF -Dtiff-tests=OFF -Dtiff-docs=OFF -Dtiff-contrib=OFF -Dlzma=OFF -Dzstd=OFF -Dwebp=OFF -Djbig=OFF -Dlerc=OFF -Dlibdeflate=OFF
+    library tiff -Dtiff-tools=OFF -Dtiff-tests=OFF -Dtiff-docs=OFF -Dtiff-contrib=OFF -Dlzma=OFF -Dzstd=OFF -Dwebp=OFF -Djbig=OFF -Dlerc=OFF -Dlibdeflate=OFF -Dcxx=OFF
     library freetype -DFT_REQUIRE_ZLIB=ON -DFT_DISABLE_{BZIP2,PNG,HARFBUZZ,BROTLI}=ON
     library cfitsio -DUSE_CURL=OFF
     library imath
