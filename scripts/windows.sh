@@ -133,10 +133,10 @@ if wanted zip; then
     name=nullscope-$version-windows-x86_64
     rm -rf "$folder/zip" "$folder/$name.zip"
     mkdir -p "$folder/zip/$name/share/doc/libraries"
-    for program in nullscope nullscope-viewer; do
-        x86_64-w64-mingw32-strip -o "$folder/zip/$name/$program.exe" "$folder/build/bin/$program.exe"
-        # Nothing that Windows itself does not bring.
-        x86_64-w64-mingw32-objdump -p "$folder/zip/$name/$program.exe" | sed -n 's/^\tDLL Name: //p' | tr '\n' ' ' | sed "s/^/$program.exe imports /;s/\$/\n/"
+    for program in nullscope.exe nullscope-viewer.exe nullscope-programs.dll; do
+        x86_64-w64-mingw32-strip -o "$folder/zip/$name/$program" "$folder/build/bin/$program"
+        # Nothing that Windows itself does not bring, but the library that both programs are in.
+        x86_64-w64-mingw32-objdump -p "$folder/zip/$name/$program" | sed -n 's/^\tDLL Name: //p' | tr '\n' ' ' | sed "s/^/$program imports /;s/\$/\n/"
     done
     mkdir -p "$folder/zip/$name/share/nullscope"
     cp -r "$repository/assets/." "$folder/zip/$name/share/nullscope"
