@@ -252,6 +252,7 @@ Option& Command::add_option(std::string names, OptionTarget target, std::string 
 
 Result<Asked> parse_command_line(const Command& program, int argc, const char* const* argv) {
     CLI::App app{program.help(), program.name()};
+    app.allow_windows_style_options(false);  // a word that begins with '/' is a file everywhere
     const Node root = node_of(program, app, program.name());
     const Words words(argv + std::min(argc, 1), argv + argc);
     if (!root.nodes.empty() && words.empty()) return help_of(root, {});
