@@ -163,7 +163,7 @@ def check_cmake(root, allowed):
             yield (f"src/CMakeLists.txt:{line}: {name} links other modules than layers.txt allows"
                    + (f"; too many: {more}" if more else "") + (f"; missing: {less}" if less else ""))
     programs = {"nullscope": "cli", "nullscope-viewer": "viewer", "nullscope_coretexts": "coretexts"}
-    for line, words in cmake_commands(text, "target_link_libraries"):
+    for line, words in [*cmake_commands(text, "target_link_libraries"), *cmake_commands(text, "nullscope_program")]:
         module = programs.get(words[0]) or re.sub(r"^nullscope_", "", words[0]).split("_")[0]
         if module not in allowed:
             continue

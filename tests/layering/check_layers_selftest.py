@@ -62,6 +62,7 @@ FORBIDDEN = [
     ("shaders/spacetime/planted.glsl", "float f(float x) { return 1.0 - asin(x); }", "asin() is banned"),
     ("src/CMakeLists.txt", "nullscope_module(extra DEPENDS base)", "extra is not in layers.txt"),
     ("src/CMakeLists.txt", "target_link_libraries(nullscope PRIVATE nullscope_viewer)", "links nullscope_viewer"),
+    ("src/CMakeLists.txt", "nullscope_program(nullscope cli nullscope_viewer)", "links nullscope_viewer"),
     ("src/CMakeLists.txt", "target_link_libraries(nullscope_reference PUBLIC nullscope_table)", "links nullscope_table"),
 ]
 # (file, start of the line to change, text to put behind it, part of the line that must be reported)
