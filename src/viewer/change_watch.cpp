@@ -37,12 +37,13 @@ void ChangeWatch::look(int number, const Scene& scene, const ChangeKey& key, boo
     if (number == number_ && key.name == key_) return;
     forget();
     if (!rests) return;
-    number_ = number, key_ = key.name, works_ = true;
+    number_ = number, key_ = key.name, works_ = waits_ = true;
     worker_ = std::jthread([this, scene, key, news = std::move(news)](const std::stop_token& stop) {
         platform::give_way();  // frames come first
         find(stop, scene, key);
-        works_ = false, news_ = !stop.stop_requested();
-        if (news_) news();
+        const bool whole = !stop.stop_requested();
+        works_ = false, news_ = whole;
+        if (whole) news();
     });
 }
 
@@ -69,7 +70,7 @@ void ChangeWatch::find(const std::stop_token& stop, const Scene& scene, const Ch
 
 void ChangeWatch::stop() {
     worker_ = {};  // asks it to stop, and waits for a ray
-    works_ = news_ = false;
+    works_ = news_ = waits_ = false;
 }
 
 void ChangeWatch::forget() {

@@ -31,14 +31,19 @@ public:
     // 0.5 ms each, of which there are as many as ticks (annotate/ticks.h). news: from the thread, once they are there. Returns within a millisecond.
     void look(int number, const Scene& scene, const ChangeKey& key, bool rests, std::function<void()> news);
     void forget();
-    bool at_work() const { return works_ || news_; }  // or what was found is not shown yet
-    bool take_news() { return news_.exchange(false); }
+    bool at_work() const { return waits_; }  // until take_news() was true
+    bool take_news() {                       // once, when they are there
+        const bool news = news_.exchange(false);
+        waits_ = waits_ && !news;
+        return news;
+    }
     const std::vector<ChangeArrow>& arrows() const;                        // none until all are there
     std::string error() const { return works_ ? std::string() : error_; }  // why there are none, or nothing
 
 private:
     void stop();
     void find(const std::stop_token& stop, const Scene& scene, const ChangeKey& key);
+    bool waits_ = false;
     int number_ = -1;
     std::string key_;
     std::vector<ChangeArrow> arrows_;  // these two are the thread's while it works
