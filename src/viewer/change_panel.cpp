@@ -24,7 +24,7 @@ constexpr double kLongestArrow = 0.9;                      // of what they are a
 constexpr double kUsual = 0.95, kNarrow = 0.5;
 constexpr double kLeastMotion_px =
     1e-6;  // below are roundings: 1e-12 of a camera that comes nearer to a sky in flat space
-constexpr double kColouredDown = 0.02;  // of the longest: what moves less has the first colour
+constexpr double kColouredDown = 0.02;  // of the 95th percentile: all below has the first colour
 constexpr const char* kChangeHelp =
     "Where each place of the sky or of the disc moves to in the picture. Blue moves least, yellow most; nothing is "
     "drawn next to the critical curve, nor in the "
@@ -81,16 +81,15 @@ void draw_arrow(ImDrawList& draw, ImVec2 from, ImVec2 to, float thick, ImU32 col
     }
 }
 
-// times: as long as they are drawn, of what they are.
-void draw_arrows(const std::vector<ChangeArrow>& arrows, const CameraSpec& camera, double times) {
+// times: as long as they are drawn, of what they are. longest: px, of those drawn: longer ones are cut to it.
+void draw_arrows(const std::vector<ChangeArrow>& arrows, const CameraSpec& camera, double times, double longest) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const double unit = static_cast<double>(screen.x) / camera.width, longest = length_at(arrows, kUsual);
+    const double unit = static_cast<double>(screen.x) / camera.width;
     const auto thick = static_cast<float>(unit * tick_thickness(camera.width, camera.height));
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     for (const ChangeArrow& arrow : arrows) {
         const double length = std::hypot(arrow.right, arrow.down);
-        const double shown =
-            times * std::min(1.0, longest / std::max(length, 1e-300));  // what moves much more: as long as the longest
+        const double shown = times * std::min(1.0, longest / std::max(length, 1e-300));
         const ImVec2 from{static_cast<float>(unit * arrow.x), static_cast<float>(unit * arrow.y)};
         draw_arrow(draw, from,
                    {static_cast<float>(unit * (arrow.x + shown * arrow.right)),
@@ -159,7 +158,7 @@ void draw_changes(PanelPlace& place) {
         watch.error().empty() ? draw_change_numbers(watch, times, usual) : paragraph(watch.error(), true);
     }
     ImGui::End();
-    if (usual >= kLeastMotion_px) draw_arrows(watch.arrows(), camera, times);
+    if (usual >= kLeastMotion_px) draw_arrows(watch.arrows(), camera, times, usual);
 }
 
 std::string no_changes(const ViewState& view) {

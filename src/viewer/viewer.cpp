@@ -140,7 +140,7 @@ bool Viewer::step() {
     follow_changes(changed);
     measure_effects(!moving_ && !changed);
     measure_polarisation(!moving_ && !changed);
-    follow_loop();
+    follow_watches();
     // In one context the window's first frame would wait for the first picture.
     if (painter_->in_background() || patient() || pace_.drawn_at() > 0.0) ask();
     if (input.moved && (panels_had_pointer || io.WantCaptureMouse))  // tooltips

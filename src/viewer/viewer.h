@@ -74,7 +74,7 @@ private:
     void refuse(const Painting& painting);
     void measure_effects(bool still);
     void measure_polarisation(bool still);
-    void follow_loop();  // of Q and U, for its panel
+    void follow_watches();  // of panels: the loop of Q and U, what changes
     void probe(const Input& input);
     void log_rest();
     void draw(unsigned framebuffer, PixelSize to);

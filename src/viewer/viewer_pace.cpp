@@ -68,7 +68,7 @@ void Viewer::measure_polarisation(bool still) {
         painter_->measure_polarisation(shown_.scene(), shown_.painting.job.method);
 }
 
-void Viewer::follow_loop() {
+void Viewer::follow_watches() {
     if (panels_.changes.take_news()) pace_.want(kNewsFrames);
     if (!is_open(view_, kLoopPanel)) {
         if (std::exchange(traces_loop_, false)) painter_->trace_loop({});

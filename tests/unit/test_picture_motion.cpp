@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 
+#include "changed_scene.h"
 #include "gradient/picture_motion.h"
 #include "observer/pose.h"
 #include "reference/frame_tracer.h"
@@ -37,18 +38,9 @@ Scene motion_scene(const char* metric, MetricParameters parameters, bool disc) {
     return scene;
 }
 
-void grow(Scene& scene, const std::string& key, double by) {
-    CameraSpec& camera = scene.camera;
-    if (key == "spin") scene.spacetime.parameters["spin"] += by;
-    if (key == "camera.r") camera.r += by;
-    if (key == "camera.theta") camera.theta += by;
-    if (key == "camera.phi") camera.phi += by;
-    if (key == "camera.yaw") camera.yaw += by;
-    if (key == "camera.pitch") camera.pitch += by;
-    if (key == "camera.roll") camera.roll += by;
-    if (key == "camera.fov") set_field_of_view(camera, field_of_view(camera) + by);
-    if (key == "disc.tilt") scene.disc->lean.tilt += by;
-    if (key == "disc.node") scene.disc->lean.node += by;
+Scene with_more(Scene scene, const std::string& key, double by) {
+    test::change_scene(parse_parameters({key}, scene)->front().kind, by, scene);
+    return scene;
 }
 
 TEST_CASE("picture motion: turns and widths of the camera move all as its projection says, whatever is seen") {
@@ -68,8 +60,7 @@ TEST_CASE("picture motion: turns and widths of the camera move all as its projec
             if (!found) continue;
             const Vec3 direction = static_from_camera(scene.camera) * pixel_direction(scene.camera, x, y);
             const auto moved = [&](double by) {
-                Scene other = scene;
-                grow(other, key, by);
+                const Scene other = with_more(scene, key, by);
                 return *pixel_of(other.camera, transposed(static_from_camera(other.camera)) * direction);
             };
             const auto after = moved(kStep), before = moved(-kStep);
@@ -121,9 +112,7 @@ TEST_CASE("picture motion: the reference sees the same place again where it has 
             const auto motion = PictureMotion::make(scene, {key});
             REQUIRE(motion);
             const auto tracer_by = [&](double by) {
-                Scene other = scene;
-                grow(other, key, by);
-                auto tracer = reference::FrameTracer::make(other);
+                auto tracer = reference::FrameTracer::make(with_more(scene, key, by));
                 REQUIRE(tracer);
                 return std::move(*tracer);
             };
