@@ -41,8 +41,9 @@ struct Dual {
     friend Dual operator*(double s, const Dual& a) { return scaled(a, Real(s)); }
     friend Dual operator/(const Dual& a, const Dual& b) {
         Dual x;
+        const Real inverse = Real(1.0) / b.value;
         x.value = a.value / b.value;
-        for (std::size_t i = 0; i < N; ++i) x.d[i] = (a.d[i] - x.value * b.d[i]) / b.value;
+        for (std::size_t i = 0; i < N; ++i) x.d[i] = (a.d[i] - x.value * b.d[i]) * inverse;
         return x;
     }
     friend Dual scaled(Dual a, const Real& s) {

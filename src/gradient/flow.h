@@ -51,6 +51,8 @@ using RayState = std::array<Number, kFlowStates>;
 // Of one ray: what stays the same along it. The photon has frequency 1 in the camera; energy E and momentum L = L_z at infinity.
 struct Photon {
     Number energy, momentum, bent;  // bent: C; about a spherical hole L^2 of its plane
+    // Products of these that slopes about a hole take: a (a E - L), K, (a E)^2, a^2 E.
+    Number bend, carter, pull, swept;
 };
 
 // Of the metric at theta = pi/2 as a function of r, with its first three derivatives by r.

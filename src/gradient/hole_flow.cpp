@@ -12,48 +12,52 @@ public:
     HoleFlow(double mass, double spin, double charge)
         : mass2_(2 * mass),
           a_(0.5 * Number::variable(spin, kSeedSpin)),
+          a2_(a_ * a_),
           charge2_(0.25 * (Number::variable(charge, kSeedCharge) * Number::variable(charge, kSeedCharge))),
-          both2_(a_ * a_ + charge2_) {}
+          both2_(a2_ + charge2_) {}
 
     Photon launch(const Launch& from, RayState& state) const override {
         const LaunchFrame at(from);
-        const Number across = at.r * at.r + a_ * a_, cosine2 = at.cosine * at.cosine, sine2 = at.sine * at.sine;
-        const Number sigma = at.r * at.r + a_ * a_ * cosine2, delta = across - mass2_ * at.r + charge2_;
-        const Number area = across * across - delta * (a_ * a_) * sine2;
+        const Number across = at.r * at.r + a2_, cosine2 = at.cosine * at.cosine, sine2 = at.sine * at.sine;
+        const Number sigma = at.r * at.r + a2_ * cosine2, delta = across - mass2_ * at.r + charge2_;
+        const Number area = across * across - delta * a2_ * sine2;
         const Number l_over_sine = -(sqrt(area / sigma) * at.view[2]);  // the photon runs against the view
         const Number p_theta = sqrt(sigma) * at.view[1], rise = sqrt(sigma * delta) * at.view[0];
         Photon photon;
         photon.momentum = l_over_sine * at.sine;
         photon.energy = sqrt(delta * sigma / area) + a_ * (mass2_ * at.r - charge2_) / area * photon.momentum;
         const Number ae = a_ * photon.energy;
-        photon.bent = p_theta * p_theta + l_over_sine * l_over_sine - ae * ae * cosine2;
+        photon.pull = ae * ae;
+        photon.bent = p_theta * p_theta + l_over_sine * l_over_sine - photon.pull * cosine2;
+        photon.bend = a_ * (ae - photon.momentum);
+        photon.carter = photon.bent + ae * (ae - 2.0 * photon.momentum);
+        photon.swept = a_ * ae;
         state = launched(at, -(rise / (at.r * at.r)), p_theta, -l_over_sine);
         return photon;
     }
 
     RayState slope(const Photon& photon, const RayState& s, bool leaves) const override {
         const Number &u = s[kU], &w = s[kW], &cosine = s[kN + 2];
-        const Number ae = a_ * photon.energy, pull = ae * ae;
         const Parts p(*this, photon, u);
+        const Number pulled = photon.pull * cosine, turning = photon.bent + 2.0 * (pulled * cosine);
         RayState rate;
         rate[kU] = w;
-        rate[kW] = 2.0 * (p.bend * u * p.x) - p.carter * u * (p.d + 0.5 * (u * p.d_slope));
-        const Number turning = photon.bent + 2.0 * (pull * cosine * cosine);
+        rate[kW] = u * (2.0 * (photon.bend * p.x) - photon.carter * (p.d + 0.5 * (u * p.d_slope)));
         for (std::size_t i = 0; i < 3; ++i) {
             rate[kN + i] = s[kTurn + i];
             rate[kTurn + i] = -(turning * s[kN + i]);
         }
-        rate[kTurn + 2] = rate[kTurn + 2] + pull * cosine;
+        rate[kTurn + 2] = rate[kTurn + 2] + pulled;
         rate[kDragged] = -(a_ * (p.x / p.d - photon.energy));
-        const Number round = 1.0 + a_ * a_ * u * u;
-        const Number fall = leaves ? p.carter / (p.x - w) : (p.x + w) / (p.d * u * u);
-        rate[kTime] = round * fall + a_ * (photon.momentum - ae * (1.0 - cosine * cosine));
+        const Number round = 1.0 + a2_ * p.u2;
+        const Number fall = leaves ? photon.carter / (p.x - w) : (p.x + w) / (p.d * p.u2);
+        rate[kTime] = round * fall - photon.bend + photon.swept * (cosine * cosine);
         return rate;
     }
 
     Number radial(const Photon& photon, const Number& u) const override {
         const Parts p(*this, photon, u);
-        return p.x * p.x - u * u * p.d * p.carter;
+        return p.x * p.x - p.u2 * p.d * photon.carter;
     }
     double innermost() const override {
         const double root = mass2_ * mass2_ - 4 * both2_.value;
@@ -67,10 +71,10 @@ public:
         return {pull - 1.0, -(a * pull), r * r + a * a * (1.0 + pull)};
     }
     PlaceNumbers place(const Number& r, const Number& cosine) const override {
-        const Number r2 = r * r, a2 = a_ * a_, sine2 = 1.0 - cosine * cosine, sigma = r2 + a2 * cosine * cosine;
+        const Number r2 = r * r, sine2 = 1.0 - cosine * cosine, sigma = r2 + a2_ * cosine * cosine;
         const Number pull = (mass2_ * r - charge2_) / sigma;
-        return {pull - 1.0, -(a_ * pull * sine2), (r2 + a2 + a2 * sine2 * pull) * sine2, sigma,
-                sigma / (r2 + a2 - mass2_ * r + charge2_)};
+        return {pull - 1.0, -(a_ * pull * sine2), (r2 + a2_ + a2_ * sine2 * pull) * sine2, sigma,
+                sigma / (r2 + a2_ - mass2_ * r + charge2_)};
     }
 
 private:
@@ -80,18 +84,15 @@ private:
         return constant;
     }
     struct Parts {
-        Number d, d_slope, bend, x, carter;
-        Parts(const HoleFlow& hole, const Photon& photon, const Number& u) {
-            const Number& a = hole.a_;
+        Number u2, d, d_slope, x;
+        Parts(const HoleFlow& hole, const Photon& photon, const Number& u) : u2(u * u) {
             d_slope = 2.0 * (hole.both2_ * u) - hole.mass2_;
-            d = 1.0 - hole.mass2_ * u + hole.both2_ * u * u;
-            bend = a * (a * photon.energy - photon.momentum);
-            x = photon.energy + bend * u * u;
-            carter = photon.bent + a * photon.energy * (a * photon.energy - 2.0 * photon.momentum);
+            d = 1.0 - hole.mass2_ * u + hole.both2_ * u2;
+            x = photon.energy + photon.bend * u2;
         }
     };
     double mass2_;
-    Number a_, charge2_, both2_;
+    Number a_, a2_, charge2_, both2_;
 };
 
 }  // namespace

@@ -17,8 +17,9 @@ constexpr double kAtSky = 1e-8;        // u times the impact parameter, where wh
 constexpr double kLeastStep = 1e-7;    // of the first
 constexpr double kNearest = 1 - 1e-6;  // of the horizon's u, where rays end
 constexpr int kMostSteps = 4000;
-constexpr double kInPlane = 1e-12;     // a camera whose height is less stands in the plane
-constexpr double kAtCrossing = 1e-11;  // of a step
+constexpr double kInPlane = 1e-12;  // a camera whose height is less stands in the plane
+constexpr double kAtCrossing =
+    4e-3;  // of a step: the rest is one of Runge and Kutta's, whose error is of its fifth power
 constexpr int kMostTries = 60;
 
 Triple place_of(const RayState& s) {
@@ -37,6 +38,20 @@ Number azimuth_of(const Number& x, const Number& y) {
     Number phi(std::atan2(y.value, x.value));
     for (std::size_t i = 0; i < kSeeds; ++i) phi.d[i] = (x.value * y.d[i] - y.value * x.d[i]) / flat2;
     return phi;
+}
+
+// On [0, 1], of the cubic with these values and slopes at its ends, the values of both signs; by halves, so that it is within.
+double zero_of_cubic(double from, double slope_from, double to, double slope_to) {
+    const auto value = [&](double t) {
+        const double s = 1 - t;
+        return s * s * ((1 + 2 * t) * from + t * slope_from) + t * t * ((1 + 2 * s) * to - s * slope_to);
+    };
+    double low = 0, high = 1;
+    for (int halves = 0; halves < 20; ++halves) {
+        const double middle = 0.5 * (low + high);
+        ((value(middle) > 0) == (to > 0) ? high : low) = middle;
+    }
+    return 0.5 * (low + high);
 }
 
 // As scene/disc_plane.h has it.
@@ -132,21 +147,27 @@ private:
     void take(const RayState& end, const RayState& rate, double length) {
         const double after = height(end);
         if (static_cast<int>(found_.crossings.size()) < task_.crossings && (after > 0) != (height_ > 0))
-            cross(rate, length, after);
+            cross(end, rate, length, after);
         height_ = after, here_ = end;
     }
+    double climb(const RayState& s, const RayState& rate) const { return dot(plane_.normal, speed(s, rate)).value; }
 
-    // By Newton's steps within a bracket, the last ones in duals: the place where the height is 0, whatever the seeds.
-    void cross(const RayState& rate, double length, double after) {
-        double low = 0, high = length, at = length * std::clamp(height_ / (height_ - after), 0.01, 0.99);
+    // Within a bracket by Newton's steps, which begin with the cubic of both ends; the last ones in duals: the place where the height is 0, whatever
+    // the seeds.
+    void cross(const RayState& end, const RayState& rate, double length, double after) {
+        double low = 0, high = length,
+               at =
+                   length * zero_of_cubic(height_, length * climb(here_, rate), after, length * climb(end, slope(end)));
         RayState there = here_;
         for (int tries = 0; tries < kMostTries; ++tries) {
             there = stepped(rate, at);
-            const double now = height(there), move = -now / dot(plane_.normal, speed(there, slope(there))).value;
+            const double now = height(there), move = -now / climb(there, slope(there));
             if (std::fabs(move) < kAtCrossing * length) break;
             ((now > 0) == (after > 0) ? high : low) = at;
             at = at + move > low && at + move < high ? at + move : 0.5 * (low + high);
         }
+        for (int newton = 0; newton < 2; ++newton)
+            there = short_step(there, -height(there) / climb(there, slope(there)));
         for (int newton = 0; newton < 2; ++newton) there = on_plane(there);
         const Triple place = place_of(there);
         RayState turn = there;
@@ -156,6 +177,15 @@ private:
                                     -dot(plane_.normal, vector_product(place, place_of(turn))), place[2]});
     }
 
+    // Of the classical method by C. Runge and W. Kutta.
+    RayState short_step(const RayState& s, double length) const {
+        const RayState first = slope(s), second = slope(moved(s, first, 0.5 * length)),
+                       third = slope(moved(s, second, 0.5 * length)), last = slope(moved(s, third, length));
+        RayState end = s;
+        for (std::size_t i = 0; i < kFlowStates; ++i)
+            end[i] = end[i] + (length / 6) * (first[i] + 2.0 * (second[i] + third[i]) + last[i]);
+        return end;
+    }
     RayState on_plane(const RayState& s) const {
         const RayState rate = slope(s);
         return moved(s, rate, -(dot(plane_.normal, place_of(s)) / dot(plane_.normal, speed(s, rate))));
