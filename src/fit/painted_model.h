@@ -26,6 +26,7 @@ protected:
     Result<ScenePainter::Painted> paint(const std::vector<double>& values, std::optional<double> time = {}) {
         return painter_->paint(values, size_, time);
     }
+    const SceneFamily& family() const { return painter_->family(); }
     Result<Scene> scene_at(const std::vector<double>& values) const { return painter_->family().at(values); }
 
 private:

@@ -7,6 +7,7 @@
 
 #include "command/sky_light.h"
 #include "fit/painted_model.h"
+#include "fit/visibility_slopes.h"
 #include "telescope/csv_table.h"
 #include "telescope/flux.h"
 #include "telescope/visibility.h"
@@ -79,6 +80,10 @@ public:
                 prediction.push_back(std::abs(visibility[0]));
         }
         return prediction;
+    }
+
+    std::optional<std::vector<Prediction>> derivatives(const std::vector<double>& values) override {
+        return visibility_slopes(family(), values, baselines_, is_complex_);
     }
 
 private:

@@ -12,6 +12,7 @@ namespace nullscope {
 namespace {
 
 constexpr double kDark = 1e-30;  // of the largest emissivity
+constexpr double kKink = 1.0;    // change of a table's power at a row, from which on the row is a mark
 
 Shade own(double value, LightSeed seed) { return Shade::variable(value, static_cast<std::size_t>(seed)); }
 
@@ -35,12 +36,14 @@ Status check_disc_light(const Scene& scene) {
     const DiscSpec& disc = *scene.disc;
     if (disc.emission != DiscEmission::kThermal) return no_light("disc.emission", "image", "thermal");
     const TextureKind texture = disc.material.texture;
-    if (texture != TextureKind::kPlain && texture != TextureKind::kGas && texture != TextureKind::kFormula)
+    // Without a picture of its own its light is even.
+    const bool even = texture == TextureKind::kImage && disc.image.empty();
+    if (!even && texture != TextureKind::kPlain && texture != TextureKind::kGas && texture != TextureKind::kFormula)
         return no_light("disc.texture", texture_name(texture), "plain, gas (which counts as its mean), formula");
     if (texture == TextureKind::kFormula && disc.flow != DiscFlowKind::kStill)
         return no_light("disc.flow", "kepler", "still, with texture = \"formula\"");
-    if (disc.emissivity.by != Emissivity::kAccretion && disc.emissivity.by != Emissivity::kPowerLaw)
-        return no_light("disc.emissivity", "a table or a lamp", "accretion, power-law");
+    if (disc.emissivity.by == Emissivity::kLamp)
+        return no_light("disc.emissivity", "a lamp", "accretion, power-law, table");
     if (disc.effects.limb_darkening) return no_light("disc.limb_darkening", "on", "off");
     if (disc.warp.there()) return no_light("disc.warp_radii", "a disc that is warped or has gaps", "a flat one");
     if (!scene.spots.empty()) return no_light("spot", "hot spots", "none");
@@ -81,14 +84,17 @@ Status DiscGlow::prepare() {
     temperature_ = own(spec_.temperature_K, kSeedTemperature);
     if (spec_.accretion) temperature_ = root4(lifted(accretion_temperature4(*spec_.accretion, accretion_->peak())));
     unit_ = brightness(temperature_);
+    if (spec_.emissivity.by == Emissivity::kTable) {
+        TRY(rows, load_emissivity(spec_.emissivity.file));
+        rows_ = std::move(*rows);
+    }
     if (accretes) {
         most_ = lifted(accretion_->peak());
     } else {
-        std::vector<Shade> ends = {own(spec_.inner, kSeedInner), own(spec_.outer, kSeedOuter)};
-        for (const double r : spec_.emissivity.breaks)
-            if (within(r)) ends.emplace_back(r);
-        const auto brighter = [&](const Shade& a, const Shade& b) { return power_law(a).value < power_law(b).value; };
-        most_ = power_law(*std::ranges::max_element(ends, brighter));
+        std::vector<Shade> light = {law(own(spec_.inner, kSeedInner)), law(own(spec_.outer, kSeedOuter))};
+        for (const LawChange& change : law_changes()) light.push_back(law(Shade(change.r)));
+        most_ = *std::ranges::max_element(light, {}, [](const Shade& shade) { return shade.value; });
+        if (!(most_.value > 0)) return no_light("disc.emissivity", "none between the rims", "a table of these radii");
     }
     if (spec_.material.texture != TextureKind::kFormula) return Done{};
     TRY(formula, expr::Formula::parse(spec_.material.formula, {"u", "v", "x", "y", "z"}));
@@ -106,11 +112,40 @@ std::vector<LightMark> DiscGlow::marks() const {
     }
     const Number& last = motion_.innermost();
     if (last.value > spec_.inner && last.value < spec_.outer) marks.push_back(lifted(last));
-    if (spec_.emissivity.by == Emissivity::kPowerLaw)
-        for (const double r : spec_.emissivity.breaks)
-            if (r > spec_.inner && r < spec_.outer) marks.emplace_back(r);
+    for (const LawChange& change : law_changes())
+        if (change.power > kKink) marks.emplace_back(change.r);
     std::ranges::sort(marks, {}, [](const LightMark& mark) { return mark.value; });
     return marks;
+}
+
+std::vector<DiscGlow::LawChange> DiscGlow::law_changes() const {
+    std::vector<LawChange> changes;
+    if (spec_.emissivity.by == Emissivity::kPowerLaw)
+        for (const double r : spec_.emissivity.breaks) changes.push_back({r, HUGE_VAL});
+    if (rows_) {
+        double before = HUGE_VAL;
+        for (auto row = rows_->begin(); row != rows_->end(); ++row) {
+            const auto next = row + 1;
+            const double power =
+                next == rows_->end() ? -HUGE_VAL : std::log(next->value / row->value) / std::log(next->r / row->r);
+            changes.push_back({row->r, std::fabs(power - before)});
+            before = power;
+        }
+    }
+    std::erase_if(changes,
+                  [this](const LawChange& change) { return !(change.r > spec_.inner && change.r < spec_.outer); });
+    return changes;
+}
+
+Shade DiscGlow::law(const Shade& r) const { return rows_ ? between_rows(r) : power_law(r); }
+
+// A power of the radius from row to row.
+Shade DiscGlow::between_rows(const Shade& r) const {
+    if (!(r.value >= rows_->front().r && r.value <= rows_->back().r)) return Shade(0.0);
+    const auto last = rows_->end() - 1;
+    const auto after = std::min(std::ranges::upper_bound(*rows_, r.value, {}, &EmissivityRow::r), last);
+    const EmissivityRow &a = *(after - 1), &b = *after;
+    return a.value * exp(std::log(b.value / a.value) / std::log(b.r / a.r) * log(r / Shade(a.r)));
 }
 
 // r^-q from piece to piece.
@@ -125,7 +160,7 @@ Shade DiscGlow::power_law(const Shade& r) const {
 
 Shade DiscGlow::heat(const Number& r) const {
     const bool accretes = spec_.emissivity.by == Emissivity::kAccretion;
-    return (accretes ? lifted(accretion_->flux(r)) : power_law(lifted(r))) / most_;
+    return (accretes ? lifted(accretion_->flux(r)) : law(lifted(r))) / most_;
 }
 
 Shade DiscGlow::within_rims(const Shade& r) const {

@@ -1,7 +1,5 @@
 // The flux of a picture's disc and its derivatives. The images of rims and of the critical curve move with a scene's numbers, so that the mean of the pixels'
-// derivatives is not that of the flux: it lacks what the edges sweep over. Here the picture is cut into spokes from where the hole is, a spoke at the
-// images of all radii where the light's law changes (DiscGlow::marks), and its places move with these: a quadrature without edges, of which each term is
-// differentiated. By the transport theorem (O. Reynolds, 1903) that is the derivatives' integral and the edges' motion.
+// derivatives is not that of the flux: it lacks what the edges sweep over. Here it is a sum over spokes from where the hole is (gradient/light_spoke.h).
 #pragma once
 #include <functional>
 #include <vector>
@@ -13,7 +11,7 @@
 namespace nullscope {
 
 struct FluxRule {
-    int places = 8;  // in each piece of a spoke, of Gauss and Legendre
+    int places = 12;  // as SpokeRule
     double tolerance =
         1e-3;  // of flux and derivatives (or of 0.01 of the flux a unit), for those errors: sectors are halved until then
 };

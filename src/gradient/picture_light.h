@@ -15,11 +15,18 @@ class PictureLight {
 public:
     // Of the scene's thermal disc alone: the sky counts as black. keys: parse_parameters() of light; none: values alone. Errors:
     // DiscGlow's and CameraView's; a metric without derivatives.
-    static Result<std::unique_ptr<PictureLight>> make(const Scene& scene, const std::vector<std::string>& keys);
+    // tolerance: of a ray's step, values and derivatives.
+    static Result<std::unique_ptr<PictureLight>> make(const Scene& scene, const std::vector<std::string>& keys,
+                                                      double tolerance = 1e-10);
 
+    // Of a number where a ray is: by the move of `at`, per px, and by each key.
+    struct Varied {
+        double value, along;
+        std::vector<double> by;
+    };
     struct Crossing {
-        double r, along;         // r_s; by the move of `at`, per px
-        std::vector<double> by;  // by each key
+        Varied r;          // r_s
+        Varied luminance;  // of what it adds to the light: linear, of what is before it dimmed
     };
     struct Ray {
         Vec3 light;                       // linear Rec. 709, as the reference's pictures have it
@@ -29,7 +36,7 @@ public:
         double
             off_edge;  // px to the critical curve or to a rim's image, by the first derivative: the derivatives hold for less
     };
-    // x, y: px from the picture's upper left corner. along_x, along_y: unit vector of the picture, y downward. Half a millisecond.
+    // x, y: px from the picture's upper left corner. along_x, along_y: unit vector of the picture, y downward. A fifth of a millisecond.
     Ray at(double x, double y, double along_x = 1, double along_y = 0) const;
     bool falls_in(double x, double y) const;  // some 40 microseconds
 
@@ -45,6 +52,7 @@ public:
 private:
     PictureLight() = default;
     Scene scene_;
+    double tolerance_ = 0;
     std::vector<Parameter> parameters_;
     std::shared_ptr<const Flow> flow_;
     std::optional<CameraView> view_;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "changed_scene.h"
 #include "gradient/formula_number.h"
@@ -15,6 +17,7 @@
 #include "scene/projection.h"
 #include "support/costly.h"
 #include "support/depth.h"
+#include "support/temporary_folder.h"
 
 namespace {
 
@@ -46,6 +49,18 @@ Scene lit_scene(const LitCase& of) {
     return scene;
 }
 
+// Of 1/r to 4 r_s, 1/r^3 from there.
+std::filesystem::path table_of_light() {
+    static const TemporaryFolder folder("light-table");
+    const std::filesystem::path file = folder.path / "light.csv";
+    std::ofstream rows(file);
+    for (int i = 0; i <= 64; ++i) {
+        const double r = 1.5 + 0.125 * i;
+        rows << fmt::format("{:.17g}, {:.17g}\n", r, r < 4 ? 1 / r : 16 / (r * r * r));
+    }
+    return file;
+}
+
 void with_power_law(Scene& scene) {
     scene.disc->emissivity.by = Emissivity::kPowerLaw;
     scene.disc->emissivity.powers = {2.5, 2.5, 2.5};
@@ -71,6 +86,13 @@ const LitCase kLitCases[] = {
          with_power_law(s);
          s.disc->sense = OrbitSense::kRetrograde;
          s.light.bolometric = true, s.camera.observer = ObserverKind::kZamo;
+     },
+     1e-4},
+    {"a table, thin", "kerr", MetricParameters({{"spin", 0.7}}),
+     [](Scene& s) {
+         s.disc->emissivity.by = Emissivity::kTable, s.disc->emissivity.file = table_of_light();
+         s.disc->material.texture = TextureKind::kImage;  // none of its own: even
+         s.disc->opacity = 0.01;
      },
      1e-4},
     {"accretion by mass and rate", "kerr-newman", MetricParameters({{"spin", 0.5}, {"charge", 0.4}}),
@@ -231,7 +253,8 @@ TEST_CASE("picture light: what has no derivatives is told") {
     };
     refused([](Scene& s) { s.disc.reset(); }, "disc");
     refused([](Scene& s) { s.disc->emission = DiscEmission::kImage; }, "disc.emission");
-    refused([](Scene& s) { s.disc->material.texture = TextureKind::kImage; }, "disc.texture");
+    refused([](Scene& s) { s.disc->material.texture = TextureKind::kImage, s.disc->image = "disc.png"; },
+            "disc.texture");
     refused([](Scene& s) { s.disc->emissivity.by = Emissivity::kLamp; }, "disc.emissivity");
     refused([](Scene& s) { s.disc->effects.limb_darkening = true; }, "disc.limb_darkening");
     refused([](Scene& s) { s.camera.observer = ObserverKind::kRain; }, "camera.observer");
