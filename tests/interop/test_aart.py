@@ -116,15 +116,12 @@ def cost(report, folder):
             b.append(core_seconds(lambda: like.value_and_gradient(place)))
         print(f"grid of {dx} M, core-seconds: aart, the likelihood alone {min(a):.2f} to {max(a):.2f}; nullscope, with its gradient {min(b):.3f} to {max(b):.3f}", flush=True)
         report.add("core-seconds, ours with the gradient over aart's without", max(b) / min(a), 0.1)
-    # Pictures of so few rays have a grain: it turns the derivatives by the spin, by a part of their length that 16 x 16 rays tell, on a step whose own grain
-    # is less (docs/fit.md, "A picture").
+    # Derivatives are a sum over the disc's images, which pictures of 16 x 16 rays a pixel tell to their own grain.
     step = 2e-2
     finer = ns.likelihood({"u": u, "v": v, "amplitude": data}, scene(folder), {"spin": (0.5, 0.9), "camera.theta": (40, 60)}, sigma=SIGMA, samples=16)
     exact = (finer.predict([SPIN + step, INCLINATION]) - finer.predict([SPIN - step, INCLINATION])) / (2 * step)
     found = like.derivatives([SPIN, INCLINATION])[0]
-    report.add("length of the derivatives by the spin, over that of 16 x 16 rays a pixel, less 1", abs(np.linalg.norm(found) / np.linalg.norm(exact) - 1), 0.05)
-    off = np.linalg.norm(found - exact) / np.linalg.norm(exact)
-    report.known_fault(f"the grain of nullscope's pictures: these derivatives less those, over their length: {off:.3f}, where 0.02 is meant", off > 0.02)
+    report.add("derivatives by the spin, less differences of 16 x 16 rays a pixel, over their length", np.linalg.norm(found - exact) / np.linalg.norm(exact), 0.02)
 
 
 if __name__ == "__main__":
