@@ -19,6 +19,7 @@ RING_PARTS = ("unit_tests", "ring parts*")
 TELESCOPE = ("unit_tests", "telescope*")
 LIVE = ("unit_tests", "live*")
 GRADIENT = ("unit_tests", "ray gradients*")
+SPOKES = ("unit_tests", "picture visibility*")
 MOTION = ("unit_tests", "picture motion: the reference*")
 
 
@@ -342,7 +343,9 @@ MUTANTS = [Mutant(*row) for row in [
     ("gradient-place", "derivatives of crossings at a fixed time of Mino's, not in the plane", "src/gradient/ray_gradient.cpp",
      "-(dot(plane_.normal, place_of(s)) / dot(plane_.normal, speed(s, rate)))", "Number(-(dot(plane_.normal, place_of(s)) / dot(plane_.normal, speed(s, rate))).value)", GRADIENT),
     ("gradient-chain", "a division without the derivative of what it is by", "src/gradient/dual.h",
-     "(a.d[i] - x.value * b.d[i]) / b.value", "a.d[i] / b.value", GRADIENT),
+     "(a.d[i] - x.value * b.d[i]) * inverse", "a.d[i] * inverse", GRADIENT),
+    ("gradient-widths", "places of a spoke that move do not come apart", "src/gradient/light_spoke.cpp",
+     "(motion.wider[i] * to[0] + moved)", "moved", SPOKES),
     ("motion-turn", "places on the disc do not turn with the camera's azimuth", "src/gradient/picture_motion.cpp",
      "derivative_of_azimuth(crossing.bearing, by)", "derivative(crossing.bearing, by)", MOTION),
     ("fit-flux", "the scale that fits best is its inverse", "src/fit/problem.cpp",
