@@ -32,6 +32,7 @@ KerrTrace::KerrTrace(const KerrHole& hole, const KerrLaunch& launch, const Start
                      const KerrWatch* watch)
     : chart_{hole}, flow_(hole), most_crossings_(most_crossings), watch_(watch), outer_(hole.outer()) {
     begin(launch, start);
+    outside_ = launch.r > outer_;  // as it is given: radius() of the state has a rounding of its own
     ray_.energy = launch.energy;
     ray_.l_z = launch.l_over_sine * std::sin(launch.theta) / launch.energy;
     ray_.fate = outside_ ? Fate::kCaptured : Fate::kNoSky;
@@ -51,7 +52,6 @@ void KerrTrace::begin(const KerrLaunch& launch, const Start& start) {
     here_.along = start.along, here_.azimuth = from.azimuth, from_ = start.from;
     set_clock();
     here_.time = -clock_time(here_, here_.state);
-    outside_ = radius(here_.state) > outer_;
     stays_ = from.n.z == 0 && std::abs(launch.p_theta) < kStaysThere * std::abs(launch.energy);
     steps_ = 0;
     const double j = momentum(here_.state);

@@ -1,12 +1,14 @@
 // Who can hold a camera about a rotating hole: tetrads, constants of motion, and where nobody can.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "observer/observer.h"
 #include "observer/pose.h"
 #include "observer/spin_forms.h"
 #include "reference/kerr_ray.h"
+#include "reference/reference.h"
 #include "spacetime/circular_orbit.h"
 #include "spacetime/registry.h"
 #include "support/metrics.h"
@@ -233,4 +235,32 @@ TEST_CASE("kerr observers: what of the energy does not go round with the horizon
                               kPromised * std::max(1.0, size));
                     }
             }
+}
+
+// Only which side of the horizon it is on decides whether what does not come out is dark or another sky: the place in the tracer's own coordinates
+// is rounded anew for each theta, above the horizon or below.
+TEST_CASE("kerr observers: one on the horizon sees what one just inside sees") {
+    constexpr int kThetas = 16;
+    constexpr double kJustInside = 1e-9;
+    for (const auto& [spin, charge] : {std::pair{0.9, 0.0}, {0.6, 0.6}, {0.05, 0.99}}) {
+        Scene scene;
+        scene.spacetime = {"kerr-newman", {{"spin", spin}, {"charge", charge}}};
+        scene.sky.kind = SkyKind::kBlack;
+        scene.camera = camera_at(1, 1, kRain);
+        scene.camera.yaw = scene.camera.pitch = scene.camera.roll = 0;
+        scene.camera.width = 5, scene.camera.height = 3;
+        const double horizon = *(*make_spacetime(scene.spacetime.metric, scene.spacetime.parameters))->horizon_radius();
+        for (int i = 1; i < kThetas; ++i) {
+            scene.camera.theta = i * M_PI / kThetas;
+            scene.camera.r = horizon;
+            const auto on = reference::trace_frame(scene);
+            scene.camera.r = horizon * (1 - kJustInside);
+            const auto inside = reference::trace_frame(scene);
+            REQUIRE(on);
+            REQUIRE(inside);
+            CAPTURE(spin);
+            CAPTURE(scene.camera.theta);
+            CHECK(std::ranges::equal(on->pixels, inside->pixels, {}, &RayPixel::fate, &RayPixel::fate));
+        }
+    }
 }
