@@ -105,6 +105,14 @@ if wanted libraries; then
     library cfitsio -DUSE_CURL=OFF
     library imath
     library openexr -DOPENEXR_BUILD_TOOLS=OFF -DOPENEXR_INSTALL_EXAMPLES=OFF -DOPENEXR_INSTALL_TOOLS=OFF
+    # Threads of TBB take on the rounding of the thread that gives them work, and on Linux the precision of its long double; Windows begins a thread with
+    # 53 bits. Of its two ways to do so the one in assembler sets both; Microsoft's function, for which alone the other is meant, leaves the precision.
+    source_of onetbb
+    settings=$folder/sources/onetbb/tree/include/oneapi/tbb/detail/_machine.h
+    if grep -q '^#if (_WIN32)$' "$settings"; then
+        sed -i 's/^#if (_WIN32)$/#if (_MSC_VER)/' "$settings"
+        rm -f "$folder/prefix/onetbb.whole"
+    fi
     library onetbb -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF
     library glfw3 -DGLFW_BUILD_{EXAMPLES,TESTS,DOCS}=OFF
     imgui

@@ -68,6 +68,15 @@ class Program(WindowsTest):
         done = subprocess.run(["wine", test], capture_output=True, text=True, timeout=support.LONGEST_S)
         self.assertEqual((done.returncode, done.stdout), (0, ""))
 
+    def test_threads_have_a_whole_long_double(self):
+        """The reference relies on it; Windows begins a thread with 53 bits."""
+        test = self.folder / "precision.exe"
+        subprocess.run([COMPILER, "-std=c++20", "-O2", "-static", "-I", FOLDER / "prefix/include", ROOT / "tests/windows/thread_precision.cpp",
+                        FOLDER / "prefix/lib/libtbb12.a", "-o", test], check=True)
+        done = subprocess.run(["wine", test], capture_output=True, text=True, timeout=support.LONGEST_S)
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+        TABLE.row("long double of TBB's threads", "64 bits", "those of the thread that gives them work")
+
     def test_info(self):
         self.assertIn("wgl: OpenGL", self.wine("info").out)
 
