@@ -21,6 +21,8 @@ from depth import costly  # noqa: F401  for the tests
 from dice import dice  # noqa: F401  for the tests
 from image_bytes import exr_attributes
 
+if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):   # a case's name, as like as not
+    sys.exit(f"usage: {sys.argv[0]} PATH-OF-NULLSCOPE [CASE...]")
 BINARY = str(Path(sys.argv.pop(1)).resolve())
 VECTORS = Path(__file__).resolve().parent.parent / "vectors"
 SMALL = "48x27"      # px; large enough for a shadow, quick on a software driver

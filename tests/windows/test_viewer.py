@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """nullscope-viewer.exe under Wine, used by real events of keyboard and mouse: opens, flies, looks around, saves a picture, closes.
 
-Usage: test_viewer.py; prints a table of what was measured. Ends with 77, and says why, where there is no nullscope-viewer.exe, Wine, Xvfb or xdotool.
+Usage: test_viewer.py [CASE...]; prints a table of what was measured. Ends with 77, and says why, where there is no nullscope-viewer.exe, Wine, Xvfb or xdotool.
 """
 import os
 import subprocess

@@ -1,5 +1,6 @@
 """The programs that scripts/windows.sh builds, under Wine on a screen of its own: what the tests of this folder share."""
 import atexit
+import fcntl
 import os
 import re
 import shutil
@@ -33,6 +34,13 @@ def leave_if_missing(*programs):
 
 def screen_for_wine(width=1280, height=800):
     """An X server of this test's own, which Wine's windows use, those too that are never shown."""
+    # One server of Wine serves all programs of a prefix, those of another test's screen too, and the first test's end would be its end.
+    alone = open(FOLDER / "wine.lock", "w")
+    try:
+        fcntl.flock(alone, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        print("another test uses Wine: waiting for its end", flush=True)
+        fcntl.flock(alone, fcntl.LOCK_EX)
     screen = x_screen.Screen(width, height)
     os.environ.update(DISPLAY=screen.display, LIBGL_ALWAYS_SOFTWARE="1", WINEDEBUG="-all", WINEPREFIX=str(FOLDER / "wine"))
     os.environ.pop("WAYLAND_DISPLAY", None)
@@ -43,6 +51,7 @@ def screen_for_wine(width=1280, height=800):
     def close():
         subprocess.run(["wineserver", "--kill"], check=False) if shutil.which("wineserver") else None
         screen.close()
+        alone.close()
     atexit.register(close)
     return screen
 
