@@ -27,6 +27,7 @@
 #include "observer/path.h"
 #include "plan/shutter.h"
 #include "platform/console.h"
+#include "platform/fork.h"
 #include "scene/stereo.h"
 #include "shaderlib/passes.h"
 #include "version/version.h"
@@ -76,6 +77,8 @@ void say_backwards(const CaptureJob& job) {
 // Where the pictures of a film or a sequence go, and which of them are there. Nothing: one picture.
 Result<std::unique_ptr<FrameStore>> store_of(const CaptureJob& job, const CaptureOptions& options) {
     if (!options.to_film() && !job.names) return std::unique_ptr<FrameStore>();
+    if (platform::Crew::is_member())
+        return options.to_film() ? FrameStore::join_film(film_folder(options)) : FrameStore::join_sequence(*job.names);
     const std::string stamp = stamp_of(job, options);
     return options.to_film() ? FrameStore::open_film(film_folder(options), stamp)
                              : FrameStore::open_sequence(*job.names, stamp, options.resume);

@@ -27,6 +27,8 @@ bool is_picture_of_film(const fs::path& file) {
     return file.extension() == ".png" && stem.size() >= 5 && stem.find_first_not_of("0123456789") == std::string::npos;
 }
 
+std::string stamp_of_film(const std::string& folder) { return folder + "/stamp"; }
+
 // Byte 0 of the stamp file stands for the stamp, byte 1 + N for frame N.
 constexpr long long kStampByte = 0;
 long long byte_of(int frame) { return 1LL + frame; }
@@ -86,9 +88,9 @@ Result<std::unique_ptr<FrameStore>> FrameStore::open_film(const std::string& fol
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) return failed(fmt::format("{}: {}", folder, error.message()));
-    auto store = lock(FrameNames::in_folder(folder), folder + "/stamp", folder, Lock::kExclusive, 0);
+    auto store = lock(FrameNames::in_folder(folder), stamp_of_film(folder), folder, Lock::kExclusive, 0);
     if (!store) return store;
-    TRY(before, read_text(folder + "/stamp"));
+    TRY(before, read_text(stamp_of_film(folder)));
     if (*before == stamp) return store;
     TRY(removed, remove_pictures(folder));
     if (*removed > 0)
@@ -138,6 +140,20 @@ Result<std::unique_ptr<FrameStore>> FrameStore::open_sequence(const FrameNames& 
     (*store)->shared_ = true;
     if (const auto error = (*store)->locks_.set(LockKind::kShared, kStampByte)) return system_error(stamp_file, error);
     return store;
+}
+
+Result<std::unique_ptr<FrameStore>> FrameStore::join(const FrameNames& names, const std::string& stamp_file) {
+    std::unique_ptr<FrameStore> store(new FrameStore(names, stamp_file, {}));
+    TRY(own, store->reopen());
+    return store;
+}
+
+Result<std::unique_ptr<FrameStore>> FrameStore::join_film(const std::string& folder) {
+    return join(FrameNames::in_folder(folder), stamp_of_film(folder));
+}
+
+Result<std::unique_ptr<FrameStore>> FrameStore::join_sequence(const FrameNames& names) {
+    return join(names, names.stamp_file());
 }
 
 Result<bool> FrameStore::reserve(int frame, bool wait) const {

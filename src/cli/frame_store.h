@@ -64,6 +64,10 @@ public:
     static Result<std::unique_ptr<FrameStore>> open_sequence(const FrameNames& names, const std::string& stamp,
                                                              bool resume);
 
+    // What another process has opened, for which this one draws: reserves frames as reopen() does, and asks for no stamp.
+    static Result<std::unique_ptr<FrameStore>> join_film(const std::string& folder);
+    static Result<std::unique_ptr<FrameStore>> join_sequence(const FrameNames& names);
+
     FrameStore(const FrameStore&) = delete;
     FrameStore& operator=(const FrameStore&) = delete;
     ~FrameStore();  // a stamp without pictures goes with it
@@ -86,6 +90,7 @@ private:
     // patience_s: how long to wait for another run's lock.
     static Result<std::unique_ptr<FrameStore>> lock(const FrameNames& names, const std::string& stamp_file,
                                                     const std::string& what, Lock kind, double patience_s);
+    static Result<std::unique_ptr<FrameStore>> join(const FrameNames& names, const std::string& stamp_file);
     Status check_no_picture(const std::string& before, const std::string& stamp) const;
     Status write(const std::string& stamp) const;
 

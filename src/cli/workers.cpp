@@ -13,7 +13,7 @@
 namespace nullscope::cli {
 namespace {
 
-enum class Kind { kBegun, kDone, kFailed, kBadInput };
+enum class Kind { kBegun, kDone, kFailed, kBadInput, kFinished };
 
 // In front of a text, in a pipe.
 struct Message {
@@ -46,7 +46,10 @@ int work(int pipe, const std::function<Status(const FrameWatch&)>& draw) {
         [&](int frame, const std::string& line) { tell(pipe, Kind::kDone, frame, line); },
     };
     const Status drawn = drawn_by(draw, watch);
-    if (drawn) return 0;
+    if (drawn) {
+        tell(pipe, Kind::kFinished, 0, "");
+        return 0;
+    }
     const bool input = drawn.error().kind == ErrorKind::kBadInput;
     tell(pipe, input ? Kind::kBadInput : Kind::kFailed, 0, drawn.error().message());
     return static_cast<int>(drawn.error().kind);
@@ -55,6 +58,7 @@ int work(int pipe, const std::function<Status(const FrameWatch&)>& draw) {
 struct Worker {
     std::string bytes{};         // read and not yet understood
     std::optional<int> frame{};  // that it draws
+    bool finished = false;       // by its own word: on Windows what ends a process gives it a status, which may be 0
 };
 
 class Workers {
@@ -105,16 +109,19 @@ private:
         } else if (message.kind == Kind::kDone) {
             worker.frame.reset();
             watch_.done(message.frame, text);
+        } else if (message.kind == Kind::kFinished) {
+            worker.finished = true;
         } else if (!error_) {
             error_ = message.kind == Kind::kBadInput ? bad_input(text) : failed(text);
         }
     }
 
     void bury(const Worker& worker, const std::string& how) {
-        if (how.empty() || error_) return;
+        if (worker.finished || error_) return;
         const std::string what = worker.frame ? fmt::format("frame {}", *worker.frame) : "no frame";
         if (progress_ != nullptr) progress_->clear();
-        fmt::print(stderr, "nullscope: a worker ended ({}); it was drawing {}, {} left\n", how, what,
+        fmt::print(stderr, "nullscope: a worker ended ({}); it was drawing {}, {} left\n",
+                   how.empty() ? "exit status 0" : how, what,
                    crew_.left() == 0   ? "none is"
                    : crew_.left() == 1 ? "1 worker is"
                                        : fmt::format("{} workers are", crew_.left()));
@@ -131,8 +138,6 @@ private:
 
 Status draw_in_workers(int count, const std::function<Status(const FrameWatch&)>& draw, const FrameWatch& watch,
                        Progress* progress, const std::function<bool()>& is_missing) {
-    if (!platform::can_fork())
-        return failed("--workers: this system has none; several runs with --resume draw one sequence together");
     std::optional<int> signal;
     {
         Workers workers(watch, progress);

@@ -15,7 +15,7 @@ struct FrameWatch {
     std::function<void(int frame, const std::string& line)> done;
 };
 
-// Runs `draw` in `count` processes at once, forked here: a process without threads. What they tell `watch` is told here, as it
+// Runs `draw` in `count` processes at once, a crew's (platform/fork.h): forked here, a process without threads, or come here by themselves. What they tell `watch` is told here, as it
 // comes; a frame may be told of by each. A worker that dies is reported in one line (progress: in place of its bar), and what
 // it was drawing is left to the others. The signals SIGINT, SIGTERM and SIGHUP end the workers first, then this process.
 // Errors: the first of a worker, which ends the others; none is left and `is_missing` says that there is work.

@@ -1,4 +1,5 @@
-// Work in processes of their own that go on from here, as copies of this one. Windows has none: can_fork().
+// Work in processes of their own that go on from here, as copies of this one. Windows has none (can_fork()): there a crew consists of this program,
+// started anew.
 #pragma once
 #include <functional>
 #include <memory>
@@ -41,8 +42,11 @@ public:
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;
 
-    std::error_code start(int count,
-                          const std::function<int(int pipe)>& run);  // one without a process: function_not_supported
+    // `run` in `count` processes, which end with the status that it returns and when this one does, however that ends. Where none can be forked each
+    // is this program with its own command line, silent until it has come to this place by the same way: there it runs `run`, and start() does
+    // not return. What it meets on its way must be as the first found it, and must be left so: is_member(). Errors: no process could be made.
+    std::error_code start(int count, const std::function<int(int pipe)>& run);
+    static bool is_member();  // this process is on that way
     struct News {
         std::size_t worker;
         std::string bytes;                 // that it wrote

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What nullscope.exe does under Wine is what the program does here: scripts/windows.sh builds it.
 
-Usage: test_windows.py PATH-OF-NULLSCOPE [unittest options]; prints a table of what was measured. Ends with 77, and says why, where there is no
+Usage: test_windows.py PATH-OF-NULLSCOPE [CASE...]; prints a table of what was measured. Ends with 77, and says why, where there is no
 nullscope.exe, Wine or Xvfb. NULLSCOPE_TESTS=few: a few scenes in place of all that ship.
 """
 import os
@@ -13,6 +13,7 @@ import time
 import unittest
 import zipfile
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 from wine import COMPILER, FOLDER, PROGRAM, ROOT, Table, foreign_imports, leave_if_missing, screen_for_wine
 
@@ -27,15 +28,15 @@ CODES, ODD = 1, 1e-4   # of 255, and the share of the pixels that differ at all
 NAME = "na\u00efve \u65e5\u672c"
 ARCHIVE_BYTES = 15e6
 SHIPPED = "earth"   # it needs a scene, stars and an image of those that ship
+FILM = ("capture", "first-light", "--size", "32x18", "--frames", "0:2", "--time-step", "1")   # and -o
 TABLE = Table()
-
-
 OF_HARD = "1e-9"   # all take some five minutes
 
 
 class WindowsTest(support.CliTest):
-    def wine(self, *arguments, status=0):
-        done = subprocess.run(["wine", str(PROGRAM), *map(str, arguments)], capture_output=True, timeout=support.LONGEST_S, cwd=self.folder)
+    def wine(self, *arguments, status=0, environment=None):
+        done = subprocess.run(["wine", str(PROGRAM), *map(str, arguments)], capture_output=True, timeout=support.LONGEST_S, cwd=self.folder,
+                              env=os.environ | (environment or {}))
         ran = support.Ran(done)
         self.assertEqual(ran.status, status, f"nullscope.exe {' '.join(map(str, arguments))}\n{ran}")
         return ran
@@ -105,9 +106,23 @@ class Program(WindowsTest):
 
     def test_what_it_lacks_is_said(self):
         self.assertIn("Ceres", self.wine("fit", "a.exr", "kerr", "--free", "camera.r=5:20", status=1).err)
-        self.assertIn("--workers", self.wine("capture", "first-light", "--size", "32x18", "--frames", "0:2", "--workers", "2", "-o", "a%05d.png", status=1).err)
-        self.assertIn("ffmpeg", self.wine("capture", "first-light", "--size", "32x18", "--frames", "0:2", "--time-step", "1", "-o", "a.mp4", status=1).err)
-        TABLE.row("what is missing (fit, --workers, ffmpeg)", "said", "")
+        said = self.wine(*FILM, "-o", "a.mp4", status=1).err
+        self.assertEqual(said, "nullscope: ffmpeg is not installed, which films need; without it: -o NAME%05d.png and --frames\n")
+        self.assertEqual(list(self.folder.iterdir()), [])
+        TABLE.row("what is missing (fit, ffmpeg)", "said", "")
+
+    def test_a_film_by_ffmpeg(self):
+        """By the program that stands for it, in PATH."""
+        (self.folder / "bin").mkdir()
+        subprocess.run([COMPILER, "-municode", "-std=c++20", "-O2", "-static", "-I", ROOT / "src", ROOT / "tests/windows/fake_ffmpeg.cpp",
+                        ROOT / "src/platform/windows/utf8.cpp", "-o", self.folder / "bin/ffmpeg.exe"], check=True)
+        said = self.wine(*FILM, "--workers", "2", "-o", f"{NAME}.mp4", environment={"WINEPATH": str(self.folder / "bin")}).out
+        self.assertIn(f"{NAME}.mp4: 32x18, 2 frames at 24 a second\n", said)
+        words = (self.folder / f"{NAME}.mp4").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(words[words.index("-i") + 1], f"{NAME}.mp4.frames/%05d.png")
+        self.assertEqual(words[words.index("-frames:v") + 1], "2")
+        self.assertFalse((self.folder / f"{NAME}.mp4.frames").exists())
+        TABLE.row(f"a film in \"{NAME}.mp4\", its pictures by two workers", "handed to ffmpeg.exe in PATH", "")
 
 
 class Rays(WindowsTest):
@@ -210,6 +225,74 @@ class Sequences(WindowsTest):
         kept = [name for name in before if after[name] == before[name]]
         self.assertEqual(len(kept), len(before))
         TABLE.row("a sequence killed and resumed", f"{len(kept)} of {len(before)} pictures kept, {len(after)} of 12 in the end", "")
+
+
+class Workers(WindowsTest):
+    FRAMES, LONG = 16, 60
+
+    def words(self, name, frames=FRAMES):
+        return ("capture", "kerr", "--size", "320x180", "--frames", f"0:{frames}", "--time-step", "1", "-o", f"{name}%05d.png")
+
+    def pictures(self, name):
+        return {file.name.removeprefix(name): file.read_bytes() for file in self.folder.glob(f"{name}*.png")}
+
+    def started(self, name, *words, frames=FRAMES):
+        """A run with three workers that has drawn some pictures; its processes, the run's own first."""
+        run = subprocess.Popen(["wine", str(PROGRAM), *self.words(name, frames), "--workers", "3", *words], cwd=self.folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, text=True)
+        self.wait("two pictures", lambda: len(self.pictures(name)) >= 2, run)
+        there = self.processes(name)
+        self.assertEqual((there[0], len(there)), (run.pid, 4))
+        return run, there
+
+    @staticmethod
+    def processes(name):
+        found = []
+        for entry in Path("/proc").glob("[0-9]*"):
+            try:
+                if f"{name}%05d.png" in (entry / "cmdline").read_text(errors="replace") and " Z " not in (entry / "stat").read_text():
+                    found.append(int(entry.name))
+            except OSError:
+                pass   # it has ended
+        return sorted(found)
+
+    def test_they_draw_what_one_run_draws(self):
+        self.wine(*self.words("one"))
+        self.wine(*self.words("two"), "--workers", "2")
+        self.assertEqual(self.pictures("two"), self.pictures("one"))
+        self.assertEqual(len(self.pictures("one")), self.FRAMES)
+        self.assertIn(f"all {self.FRAMES} frames were there", self.wine(*self.words("two"), "--workers", "2", "--resume").err)
+        self.assertFalse({file.name for file in self.folder.iterdir()} - {f"{name}{i:05}.png" for name in ("one", "two") for i in range(self.FRAMES)} -
+                         {"one.png.stamp", "two.png.stamp"}, "left behind")
+
+        run, there = self.started("killed", "--resume")
+        run.kill()
+        run.stderr.close()
+        run.wait(timeout=support.LONGEST_S)
+        self.wait("the end of the workers of a killed run", lambda: not self.processes("killed"))
+        before = len(self.pictures("killed"))
+        self.assertLess(before, self.FRAMES, "it was killed after its end")
+        self.wine(*self.words("killed"), "--workers", "3", "--resume")
+        self.assertEqual(self.pictures("killed"), self.pictures("one"))
+        TABLE.row("--workers 2", f"{self.FRAMES} pictures, the bytes of one run", "the same")
+        TABLE.row("a run with three workers is killed at {} pictures".format(before), "no worker outlives it; resumed, the bytes of one run", "the same")
+
+    def test_killed_workers(self):
+        run, there = self.started("w", frames=self.LONG)
+        listed = subprocess.run(["wine", "wmic", "process", "get", "processid,name"], capture_output=True, check=True).stdout.decode("utf-16")
+        of_windows = sorted(int(number) for number in re.findall(r"^nullscope\.exe\s+(\d+)", listed, re.MULTILINE))
+        self.assertEqual(len(of_windows), len(there))
+        subprocess.run(["wine", "taskkill", "/f", "/pid", str(of_windows[1])], stdout=subprocess.DEVNULL, check=True)
+        said = [line for line in run.communicate(timeout=support.LONGEST_S)[1].splitlines() if not line.startswith("frames: ")]
+        self.assertEqual(run.returncode, 0, said)
+        self.assertEqual(len(said), 1, said)
+        self.assertRegex(said[0], r"nullscope: a worker ended \(.+\); it was drawing (no frame|frame \d+), 2 workers are left$")
+        self.assertEqual(len(self.pictures("w")), self.LONG)
+        TABLE.row("one of three workers is killed", "said in one line, its frame is drawn by the others", "")
+
+    def test_what_is_wrong_is_said_once(self):
+        said = self.wine("capture", "kerr", "--frames", "0:9", "--size", "32768x32768", "--raydata", "-o", "g%d.exr", "--workers", "3", status=2).err
+        self.assertEqual(said.count("32768x32768"), 1, said)
 
 
 if __name__ == "__main__":

@@ -126,6 +126,8 @@ struct Crew::Members {
     std::vector<Member> all;
 };
 
+bool Crew::is_member() { return false; }
+
 Crew::Crew() : members_(std::make_unique<Members>()) {}
 Crew::~Crew() { end(); }
 

@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "platform/windows/start_process.h"
+
 namespace nullscope::platform {
 namespace {
 
@@ -29,47 +31,19 @@ std::wstring command_line(const std::vector<std::string>& words) {
     return line;
 }
 
-// What ends with this process, however that ends.
-HANDLE own_job() {
-    static const HANDLE job = [] {
-        const HANDLE made = ::CreateJobObjectW(nullptr, nullptr);
-        JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
-        limits.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE;
-        ::SetInformationJobObject(made, JobObjectExtendedLimitInformation, &limits, sizeof limits);
-        return made;
-    }();
-    return job;
-}
-
-struct Started {
+// What it writes to standard error is read from `output`; to standard output too, or it is lost.
+struct Watched {
     HANDLE process = nullptr, output = nullptr;
     DWORD error = 0;
 };
-
-// What it writes to standard error is read from `output`; to standard output too, or it is lost.
-Started started(const std::vector<std::string>& words, bool text_too) {
-    SECURITY_ATTRIBUTES inherited{sizeof inherited, nullptr, TRUE};
-    Started result;
+Watched started(const std::vector<std::string>& words, bool text_too) {
+    Watched result;
     HANDLE write = nullptr;
-    if (::CreatePipe(&result.output, &write, &inherited, 0) == 0) return {nullptr, nullptr, ::GetLastError()};
-    ::SetHandleInformation(result.output, HANDLE_FLAG_INHERIT, 0);
-    const HANDLE nothing = ::CreateFileW(L"NUL", GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE,
-                                         &inherited, OPEN_EXISTING, 0, nullptr);
-    STARTUPINFOW begin{};
-    begin.cb = sizeof begin;
-    begin.dwFlags = STARTF_USESTDHANDLES;
-    begin.hStdInput = nothing, begin.hStdOutput = text_too ? write : nothing, begin.hStdError = write;
-    PROCESS_INFORMATION made{};
-    std::wstring line = command_line(words);
-    const BOOL runs = ::CreateProcessW(nullptr, line.data(), nullptr, nullptr, TRUE,
-                                       CREATE_NO_WINDOW | CREATE_SUSPENDED, nullptr, nullptr, &begin, &made);
-    result.error = runs != 0 ? 0 : ::GetLastError();
-    ::CloseHandle(write), ::CloseHandle(nothing);
-    if (runs == 0) return ::CloseHandle(result.output), Started{nullptr, nullptr, result.error};
-    ::AssignProcessToJobObject(own_job(), made.hProcess);
-    ::ResumeThread(made.hThread);
-    ::CloseHandle(made.hThread);
-    result.process = made.hProcess;
+    if (::CreatePipe(&result.output, &write, nullptr, 0) == 0) return {nullptr, nullptr, ::GetLastError()};
+    const StartedProcess now = start_process(nullptr, command_line(words), text_too ? write : nullptr, write);
+    ::CloseHandle(write);
+    if (now.error != 0) ::CloseHandle(result.output), result.output = nullptr;
+    result.process = now.process, result.error = now.error;
     return result;
 }
 
@@ -89,7 +63,7 @@ bool is_running(int process) {
 std::string Program::start(std::vector<std::string> words) {
     end();
     said_.clear();
-    const Started now = started(words, true);
+    const Watched now = started(words, true);
     if (now.error != 0) return words.front() + ": " + std::system_category().message(static_cast<int>(now.error));
     process_ = reinterpret_cast<long long>(now.process), output_ = reinterpret_cast<long long>(now.output);
     return "";
@@ -131,7 +105,7 @@ void Program::end() {
 }
 
 Ran run_program(std::vector<std::string> words) {
-    const Started now = started(words, false);
+    const Watched now = started(words, false);
     if (now.error != 0)
         return {std::system_category().message(static_cast<int>(now.error)), "",
                 now.error != ERROR_FILE_NOT_FOUND && now.error != ERROR_PATH_NOT_FOUND};
