@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # Makes all that is given to others, from a clone of the current HEAD, in a folder: a Debian package for each suite, built on a bare
 # system of that suite; the archive for other distributions, from the first suite, so that it runs on that one and on newer ones; the
-# documentation as a site; the sources; SHA256SUMS.
+# archive for Windows, where mingw-w64 is installed (scripts/windows.sh, which says what is missing); the documentation as a site; the
+# sources; SHA256SUMS.
 #
 #   scripts/release.sh [--web] [--try] [--suites "bookworm trixie"] [FOLDER]      FOLDER: default out/release
 #
 #   --web    also the page for browsers (scripts/web.sh), built here
-#   --try    installs each package on another bare system and uses it (scripts/try-package.sh)
+#   --try    installs each package on another bare system and uses it (scripts/try-package.sh; Windows' archive: scripts/windows.sh --test)
 #
 #   RELEASE_CCACHE=DIR   keeps each suite's compiler cache there from one call to the next
 #
@@ -90,6 +91,10 @@ if [[ $web == yes ]]; then
     timed "the page for browsers" "$source_tree/nullscope/scripts/web.sh"
     of_folder web "$source_tree/nullscope/build/web/page"
 fi
+timed "the archive for Windows" env SOURCE_DATE_EPOCH="$epoch" "$source_tree/nullscope/scripts/windows.sh" --libraries --build --zip
+for made in "$source_tree"/nullscope/build/windows/nullscope-*.zip; do
+    if [[ -e $made ]]; then cp "$made" "$out"; else say "no archive for Windows, see above"; fi
+done
 (cd "$out" && sha256sum nullscope*"$version"* >SHA256SUMS)
 
 if [[ $try == yes ]]; then

@@ -158,7 +158,22 @@ if wanted zip; then
     for package in libz-mingw-w64-dev mingw-w64-common; do
         cp "/usr/share/doc/$package/copyright" "$folder/zip/$name/share/doc/libraries/$package"
     done
-    (cd "$folder/zip" && zip -q -9 -X -r "../$name.zip" "$name")
+    # For who unpacks it, in the lines of Windows; SmartScreen's words are Microsoft's.
+    sed 's/$/\r/' >"$folder/zip/$name/README.txt" <<EOF
+nullscope $version: curved spacetimes, seen from within.
+
+Start nullscope-viewer.exe in this folder. Nobody has signed the programs: where SmartScreen
+stops the first start, choose "More info", then "Run anyway".
+
+For pictures, films and tables there is nullscope.exe, in a terminal in this folder:
+
+    nullscope.exe capture first-light -o first-light.png
+    nullscope.exe --help
+
+More, and all that one can ask of it: share\doc\README.md. Licences: share\doc.
+EOF
+    if [[ -n ${SOURCE_DATE_EPOCH-} ]]; then find "$folder/zip" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +; fi
+    (cd "$folder/zip" && TZ=UTC zip -q -9 -X -r "../$name.zip" "$name")
     size=$(stat -c %s "$folder/$name.zip")
     say "$folder/$name.zip, $((size / 1000)) kB"
     ((size <= 15000000)) || { say "more than 15 MB"; exit 1; }
