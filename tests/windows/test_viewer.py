@@ -8,15 +8,17 @@ import subprocess
 import tempfile
 import time
 import unittest
+import zipfile
 from pathlib import Path
 
-from wine import VIEWER, Table, foreign_imports, leave_if_missing, screen_for_wine
+from wine import FOLDER, VIEWER, Table, foreign_imports, leave_if_missing, screen_for_wine
 
 from viewer_process import HUNG_S, MARKS, SCENE, Log
 from x_screen import WindowCloser, read_png, wait_until
 
 WIDTH, HEIGHT = 840, 600
 PICTURE = (340, 320, 800, 480)   # no panel and no message lies here
+GALLERY, GALLERY_CODES = (40, 120, 800, 300), 150   # pictures of scenes among text on one colour
 CHANGED = 0.02                   # share of the bytes
 TABLE = Table()
 
@@ -88,6 +90,28 @@ class Window(unittest.TestCase):
         _, said = self.process.communicate(timeout=HUNG_S)
         self.assertEqual(self.process.returncode, 0, said.decode("utf-8", "replace"))
         TABLE.row("the window's button closes it", f"status 0, after {time.monotonic() - begun:.1f} s", "status 0")
+
+
+class Archive(unittest.TestCase):
+    def test_the_gallery(self):
+        """What a user does: unpacks the archive, and starts the viewer in its folder."""
+        archive = next(FOLDER.glob("nullscope-*-windows-x86_64.zip"), None)
+        if archive is None:
+            self.skipTest("there is no archive: scripts/windows.sh --zip")
+        with tempfile.TemporaryDirectory(prefix="nullscope-windows-") as place:
+            with zipfile.ZipFile(archive) as packed:
+                packed.extractall(place)
+            (folder,) = Path(place).iterdir()
+            self.assertIn("Start nullscope-viewer.exe in this folder.", (folder / "README.txt").read_text())
+            process = subprocess.Popen(["wine", "./nullscope-viewer.exe"], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                       env={key: value for key, value in os.environ.items() if key != "NULLSCOPE_ASSETS"})
+            try:
+                begun = time.monotonic()
+                wait_until("pictures of scenes", lambda: len(set(SCREEN.picture(*GALLERY).data)) > GALLERY_CODES, HUNG_S)
+                TABLE.row("the gallery, from the archive", f"after {time.monotonic() - begun:.1f} s", "")
+            finally:
+                process.kill()
+                process.wait()
 
 
 class Program(unittest.TestCase):
