@@ -7,11 +7,14 @@
 
 namespace nullscope {
 
-inline constexpr std::size_t kExtrapolations = 7;  // order 2 kExtrapolations, 50 slopes a step
+inline constexpr std::size_t kExtrapolations = 7;  // order 2 kExtrapolations, 50 slopes a step, at most
+inline constexpr double kEasyStep =
+    1e-9;  // counts as the error of a step that takes fewer: the next is four times as long
 
 template <class State>
 struct ExtrapolatedStep {
     State end, less_exact;  // the second is of two orders less: their difference is the error of that
+    bool enough = false;    // and before all extrapolations were made
 };
 
 template <class Number, std::size_t N, class Slope>
@@ -30,14 +33,14 @@ std::array<Number, N> midpoints(const std::array<Number, N>& from, const std::ar
     return here;
 }
 
-// first: slope(from).
-template <class Number, std::size_t N, class Slope>
+// first: slope(from). enough(end, less_exact): whether these will do, so that nothing more exact is wanted.
+template <class Number, std::size_t N, class Slope, class Enough>
 ExtrapolatedStep<std::array<Number, N>> extrapolated_step(const std::array<Number, N>& from,
                                                           const std::array<Number, N>& first, double length,
-                                                          const Slope& slope) {
+                                                          const Slope& slope, const Enough& enough) {
+    constexpr std::size_t kFewest = 3;
     std::array<std::array<Number, N>, kExtrapolations> row;  // Aitken and Neville's, of the last number of parts
-    std::array<Number, N> less_exact;
-    for (std::size_t k = 0; k < kExtrapolations; ++k) {
+    for (std::size_t k = 0;; ++k) {
         std::array<Number, N> better = midpoints(from, first, length, 2 * (k + 1), slope);
         for (std::size_t j = 0; j < k; ++j) {
             const double ratio = static_cast<double>(k + 1) / static_cast<double>(k - j),
@@ -46,10 +49,10 @@ ExtrapolatedStep<std::array<Number, N>> extrapolated_step(const std::array<Numbe
             for (std::size_t n = 0; n < N; ++n) better[n] = known[n] + weight * (known[n] - row[j][n]);
             row[j] = known;
         }
-        if (k + 1 == kExtrapolations) less_exact = row[k - 1];
+        if (k + 1 == kExtrapolations) return {better, row[k - 1]};
+        if (k + 1 >= kFewest && enough(better, row[k - 1])) return {better, row[k - 1], true};
         row[k] = better;
     }
-    return {row[kExtrapolations - 1], less_exact};
 }
 
 }  // namespace nullscope

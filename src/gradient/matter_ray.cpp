@@ -28,8 +28,8 @@ public:
             const double longest = longest_step();
             length = std::min(length, longest);
             const Transferred rate = slope(here_);
-            const auto [end, less_exact] = step(rate, length);
-            const double error = error_of(end, less_exact);
+            const auto [end, less_exact, enough] = step(rate, length);
+            const double error = enough ? kEasyStep : error_of(end, less_exact);
             const bool within = end[kU].value < flow_.innermost() && end[kU].value > 0;
             // Where matter begins at once, however faint, steps get no shorter than this.
             const bool shortest = length <= kLeastStep * longest && within && std::isfinite(error);
@@ -66,7 +66,9 @@ private:
         return all;
     }
     ExtrapolatedStep<Transferred> step(const Transferred& rate, double length) const {
-        return extrapolated_step(here_, rate, length, [this](const Transferred& s) { return slope(s); });
+        return extrapolated_step(
+            here_, rate, length, [this](const Transferred& s) { return slope(s); },
+            [this](const Transferred& end, const Transferred& less_exact) { return error_of(end, less_exact) <= 1; });
     }
     double error_of(const Transferred& end, const Transferred& less_exact) const {
         StepError error(end, less_exact);

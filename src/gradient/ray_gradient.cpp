@@ -97,10 +97,8 @@ public:
             const double longest = longest_step();
             length = std::min(length, longest);
             const RayState rate = slope(here_);
-            const auto [end, less_exact] = step(rate, length);
-            StepError off(end, less_exact);
-            off.add_ray(photon_.energy.value, flow_.innermost()), off.add(kTime, 1, 1);
-            const double error = off.over(task_.tolerance);
+            const auto [end, less_exact, enough] = step(rate, length);
+            const double error = enough ? kEasyStep : error_of(end, less_exact);
             const bool within = end[kU].value < flow_.innermost();
             if (error <= 1 && within && end[kU].value > 0) {
                 take(end, rate, length);
@@ -120,7 +118,14 @@ private:
     RayState slope(const RayState& s) const { return flow_.slope(photon_, s, here_[kW].value < 0); }
     RayState stepped(const RayState& rate, double length) const { return step(rate, length).end; }
     ExtrapolatedStep<RayState> step(const RayState& rate, double length) const {
-        return extrapolated_step(here_, rate, length, [this](const RayState& s) { return slope(s); });
+        return extrapolated_step(
+            here_, rate, length, [this](const RayState& s) { return slope(s); },
+            [this](const RayState& end, const RayState& less_exact) { return error_of(end, less_exact) <= 1; });
+    }
+    double error_of(const RayState& end, const RayState& less_exact) const {
+        StepError off(end, less_exact);
+        off.add_ray(photon_.energy.value, flow_.innermost()), off.add(kTime, 1, 1);
+        return off.over(task_.tolerance);
     }
     double squared_turn() const {
         double sum = 0;
