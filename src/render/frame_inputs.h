@@ -57,7 +57,10 @@ public:
     // All of the tables' scene but its skies, which get ready meanwhile. notes: for people, a line each. Errors: a file that cannot be read, a
     // grid that the driver cannot hold.
     Status begin(const FrameTables& tables, const Method& method, std::vector<std::string>& notes);
-    Status finish(std::vector<std::string>& notes) { return skies_.finish(notes); }
+    // SkyTextures::finish().
+    Result<bool> finish(std::vector<std::string>& notes, const std::function<bool()>& goes_on) {
+        return skies_.finish(notes, goes_on);
+    }
     // For lists of rays: tables of rays alone.
     void load_rays(const FrameTables& tables, const Method& method);
     // Where along its ray a thing is, for programs that ask though no picture does.

@@ -43,6 +43,18 @@ Renderer::Renderer()
       flat_frame_(gl::names_llvmpipe(info_.renderer)) {}
 
 Status Renderer::prepare(const Scene& scene) {
+    if (Status status = begin_prepare(scene); !status) return status;
+    const auto ready = prepare_skies([] { return true; });
+    return ready ? Status(Done{}) : Status(ready.error());
+}
+
+Result<bool> Renderer::prepare_skies(const std::function<bool()>& goes_on) {
+    auto whole = inputs_.finish(notes_, goes_on);
+    if (whole && *whole) blocks_.upload(tables_, inputs_.facts());
+    return whole;
+}
+
+Status Renderer::begin_prepare(const Scene& scene) {
     const int limit = std::min(info_.max_texture_size, info_.max_renderbuffer_size);
     if (scene.camera.width > limit || scene.camera.height > limit)
         return bad_input(
@@ -52,10 +64,7 @@ Status Renderer::prepare(const Scene& scene) {
     if (Status able = tables_.path().check(method_, tables_.plan()); !able) return able;
     body_text_ = body_text(scene, tables_.effects());
     if (Status status = inputs_.begin(tables_, method_, notes_); !status) return status;
-    if (Status status = stars_.update(scene, tables_, star_search_); !status) return status;
-    if (Status status = inputs_.finish(notes_); !status) return status;
-    blocks_.upload(tables_, inputs_.facts());
-    return Done{};
+    return stars_.update(scene, tables_, star_search_);
 }
 
 Renderer::ProgramKey Renderer::program_key(Stage stage, Output output) const {

@@ -1,6 +1,7 @@
 // The renderer that window, file and test share. Needs a current OpenGL 3.3 core context whose functions are loaded
 // (gl::load_functions); knows of no window system.
 #pragma once
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -36,6 +37,10 @@ public:
     // a moved camera costs a strip (and an orbit table if there are objects), a turned one nothing.
     // Errors: an image that cannot be read, a camera where no static frame is, a size the driver cannot draw.
     Status prepare(const Scene& scene);
+    // The same in pieces, for who has other work between them, as a sky takes up to a second to paint on one thread: first all but the skies, then
+    // a piece of these at least, until goes_on() says no: whether all is ready. After an error it is begun anew.
+    Status begin_prepare(const Scene& scene);
+    Result<bool> prepare_skies(const std::function<bool()>& goes_on);
 
     // Keeps a sky finer than a frame needs, so that zooming out and in does not hitch; pictures then depend on what was drawn
     // before. For windows only.

@@ -179,7 +179,11 @@ struct BandStore {
     std::byte* of(int number) {
         return reinterpret_cast<std::byte*>(texels.data()) + size * static_cast<std::size_t>(number);
     }
+    const std::byte* of(int number) const {
+        return reinterpret_cast<const std::byte*>(texels.data()) + size * static_cast<std::size_t>(number);
+    }
     float* coarsest(int number) { return rows.data() + width * static_cast<std::size_t>(number); }
+    const float* coarsest(int number) const { return rows.data() + width * static_cast<std::size_t>(number); }
 
     std::size_t size;
     std::vector<std::uint64_t> texels;
@@ -206,31 +210,51 @@ double packing_scale(SkyFormat format, double largest) {
     return std::exp2(std::floor(std::log2(kMostHalf / largest)));
 }
 
-void pack_sky(const SkyPainter& painter, const SkyPacking& packing,
-              const std::function<void(const PackedRows&)>& take) {
-    Bands bands(painter, packing);
-    const int at_once = kBandsAThread * tbb::this_task_arena::max_concurrency(),
-              most = std::min(at_once, bands.count());
-    std::array<BandStore, 2> halves{BandStore(bands, most), BandStore(bands, most)};
-    const auto make = [&](int first, BandStore& half) {
-        tbb::parallel_for(first, std::min(first + at_once, bands.count()),
+struct SkyPacker::Work {
+    Work(const SkyPainter& painter, const SkyPacking& how) : packing(how), bands(painter, how) { make(0, halves[0]); }
+
+    void make(int from, BandStore& half) {
+        tbb::parallel_for(from, std::min(from + at_once, bands.count()),
                           [&](int band) { bands.make(band, half.of(band % at_once), half.coarsest(band % at_once)); });
-    };
-    Planes coarsest;
-    make(0, halves[0]);
-    for (int first = 0; first < bands.count(); first += at_once, std::swap(halves[0], halves[1])) {
-        tbb::task_group next;
-        next.run([&] { make(first + at_once, halves[1]); });
+    }
+    void hand_over(const BandStore& half, const TakeRows& take) {
         for (int band = first; band < std::min(first + at_once, bands.count()); ++band) {
-            bands.hand_over(band, halves[0].of(band % at_once), take);
+            bands.hand_over(band, half.of(band % at_once), take);
             if (band % bands.of_face() == 0) coarsest = {};
-            const float* row = halves[0].coarsest(band % at_once);
+            const float* row = half.coarsest(band % at_once);
             for (std::vector<float>& plane : coarsest)
                 plane.insert(plane.end(), row, row + kCoarsestBordered), row += kCoarsestBordered;
             if (coarsest[0].size() == kCoarsestBordered * kCoarsestBordered)
                 hand_over_rest(band / bands.of_face(), bands.levels(), coarsest, packing, take);
         }
-        next.wait();
+    }
+
+    SkyPacking packing;
+    Bands bands;
+    int at_once = kBandsAThread * tbb::this_task_arena::max_concurrency(), first = 0;  // bands
+    std::array<BandStore, 2> halves{BandStore(bands, std::min(at_once, bands.count())),
+                                    BandStore(bands, std::min(at_once, bands.count()))};
+    Planes coarsest{};
+};
+
+SkyPacker::SkyPacker(const SkyPainter& painter, const SkyPacking& packing)
+    : work_(std::make_unique<Work>(painter, packing)) {}
+SkyPacker::~SkyPacker() = default;
+
+bool SkyPacker::next(const TakeRows& take) {
+    Work& work = *work_;
+    tbb::task_group coming;
+    coming.run([&work] { work.make(work.first + work.at_once, work.halves[1]); });
+    work.hand_over(work.halves[0], take);
+    coming.wait();
+    std::swap(work.halves[0], work.halves[1]);
+    work.first += work.at_once;
+    return work.first < work.bands.count();
+}
+
+void pack_sky(const SkyPainter& painter, const SkyPacking& packing, const TakeRows& take) {
+    SkyPacker packer(painter, packing);
+    while (packer.next(take)) {
     }
 }
 

@@ -3,12 +3,14 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "annotate/ticks.h"
 #include "base/assets.h"
+#include "base/stopwatch.h"
 #include "core/exports.h"
 #include "core/session.h"
 #include "gl/gl.h"
@@ -54,20 +56,33 @@ Scene shown(int width, int height) {
     return scene;
 }
 
-Status prepare_by(Renderer& by, const Scene& scene) {
+Status begin_by(Renderer& by, const Scene& scene) {
     const auto method = method_of(scene);
     if (!method) return method.error();
     by.set_method(*method);
-    return by.prepare(scene);
+    return by.begin_prepare(scene);
 }
 
-Status prepare(const Scene& scene) {
+// All but the skies.
+Status begin_prepare(const Scene& scene) {
     painting.reset();
     split = halves(scene);
     if (!split) right.reset();
-    if (Status ready = prepare_by(*renderer, split ? split->left : scene); !ready || !split) return ready;
+    if (Status ready = begin_by(*renderer, split ? split->left : scene); !ready || !split) return ready;
     if (right == nullptr) right = make_renderer();
-    return prepare_by(*right, split->right);
+    return begin_by(*right, split->right);
+}
+
+// Whether they are there.
+Result<bool> prepare_skies(const std::function<bool()>& goes_on) {
+    auto ready = renderer->prepare_skies(goes_on);
+    return ready && *ready && split ? right->prepare_skies(goes_on) : ready;
+}
+
+Status prepare_by(Renderer& by, const Scene& scene) {
+    if (Status begun = begin_by(by, scene); !begun) return begun;
+    const auto ready = by.prepare_skies([] { return true; });
+    return ready ? Status(Done{}) : Status(ready.error());
 }
 
 gl::Target& sized(gl::Target& target, int width, int height) {
@@ -129,18 +144,28 @@ NULLSCOPE_EXPORT(start_view) void start_view(bool floats, bool filtered) {
     under_lines = {};
 }
 
-// Begins a picture on the canvas, which draw_next() draws. adaptation: of automatic exposure (Renderer::set_adaptation). quick: edges get no
-// more rays than the rest, in programs that compile in a sixth of the time, and there are no streamlines. false: the answer says why not; files
-// that are missing are named by missed_files().
+// Begins a picture on the canvas, which paint_skies(), until all is there, and then draw_next() go on with. adaptation: of automatic exposure
+// (Renderer::set_adaptation). quick: edges get no more rays than the rest, in programs that compile in a sixth of the time, and there are no
+// streamlines. false: the answer says why not; files that are missing are named by missed_files().
 NULLSCOPE_EXPORT(begin_picture) bool begin_picture(int width, int height, double adaptation, bool quick) {
     Scene scene = shown(width, height);
     if (quick) scene.picture.refine = false;
-    if (const Status ready = prepare(scene); !ready) return answer(ready.error());
+    if (const Status ready = begin_prepare(scene); !ready) return answer(ready.error());
     renderer->set_adaptation(adaptation);
     if (split) right->set_adaptation(adaptation);
     const bool lines = !split && !quick && float_targets && viewer::shows_streamlines(scene);
     painting.emplace(Painting{std::move(scene), lines});
     return answer(std::string());
+}
+// Paints its skies for so long, and a piece at least: [0], all is there; [1], there is more; [2], it has to be begun anew, as something else was
+// asked for meanwhile. false: the answer says why not, as of begin_picture().
+NULLSCOPE_EXPORT(paint_skies) bool paint_skies(double ms) {
+    if (!painting) return answer("[2]");
+    const Stopwatch watch;
+    const auto ready = prepare_skies([&] { return watch.ms() < ms; });
+    if (ready) return answer(*ready ? "[0]" : "[1]");
+    painting.reset();
+    return answer(Status(ready.error()));
 }
 // Whether the driver has compiled what it needs; where it does that beside other work, it is worth the wait.
 NULLSCOPE_EXPORT(is_compiled) bool is_compiled() {
@@ -181,7 +206,10 @@ NULLSCOPE_EXPORT(build_next) bool build_next() {
 NULLSCOPE_EXPORT(trace_rays) bool trace_rays(int width, int height, int row_step) {
     const Scene scene = shown(width, height);
     if (scene.split) return answer(bad_input("ray data are of one spacetime", "scenes without [split]"));
-    if (const Status ready = prepare(scene); !ready) return answer(ready.error());
+    painting.reset();
+    split.reset();
+    right.reset();
+    if (const Status ready = prepare_by(*renderer, scene); !ready) return answer(ready.error());
     rays = renderer->ray_data(row_step);
     return answer(fmt::format("[{}, {}, {}, {}]", rays.width, rays.height,
                               reinterpret_cast<std::size_t>(rays.pixels.data()),

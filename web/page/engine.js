@@ -7,7 +7,7 @@ import { deviceString, glFunctions } from "./webgl.js";
 const LEAST_SCALE = 0.25;      // of the canvas's pixels in each direction, in motion
 const FIRST_PIXELS = 640 * 360; // of the first picture at most: a slow GPU shows it soon, too
 const SLOW_MS = 28, FAST_MS = 11; // a frame in motion: longer makes pixels larger, shorter smaller
-const BREATH_MS = 30;          // work at a stretch; then messages, hands and the page have their turn
+const STRETCH_MS = 30;         // of work; then messages, hands and the page have their turn
 const REST_MS = 250;           // without a hand: then the picture is drawn with all its pixels
 const ADAPTATION_S = 0.3;      // of automatic exposure
 const SHIPPED = "/assets/";    // paths of files that ship, as core.wasm names them
@@ -23,6 +23,7 @@ export class Engine {
     this.scale = 1;
     this.size = { width: 0, height: 0 };
     this.fixed = false;
+    this.stretch = STRETCH_MS;
     this.due = false;
     this.touched = -Infinity;
     this.fetching = new Map();
@@ -295,8 +296,6 @@ export class Engine {
     const width = Math.max(1, Math.round(this.size.width * scale)), height = Math.max(1, Math.round(this.size.height * scale));
     const began = performance.now(), { lives } = this;
     this.due = false;
-    if (this.canvas.width !== width) this.canvas.width = width;
-    if (this.canvas.height !== height) this.canvas.height = height;
     try {
       await this.#paint(width, height, adaptation, quick);
     } catch (error) {
@@ -317,7 +316,7 @@ export class Engine {
     if (!first || !quick) this.#ticks();  // the first picture does not wait for their program
     for (const { done } of this.waiting.splice(0)) done();
   }
-  // Pass by pass: a driver that compiles takes its time within one, and nothing else runs meanwhile.
+  // A sky in pieces, then pass by pass: a driver that compiles takes its time within one, and nothing else runs meanwhile.
   async #paint(width, height, adaptation, quick) {
     const { exports } = this.core, { lives } = this, none = 0, gone = 2;
     this.painting = true;
@@ -325,14 +324,30 @@ export class Engine {
       for (let left = gone; left !== none;) {
         if (left === gone) {
           await this.#withFiles(() => this.core.call("begin_picture", width, height, adaptation, Number(quick)));
+          if ((await this.#paintSkies()) === gone) continue;
           while (!exports.is_compiled()) await this.#breath();
+          if (this.canvas.width !== width) this.canvas.width = width;  // which clears it
+          if (this.canvas.height !== height) this.canvas.height = height;
         }
-        if (performance.now() - this.breathed > BREATH_MS) await this.#breath();
+        await this.#breatheAtTimes();
         left = exports.draw_next();
       }
     } finally {
       if (lives === this.lives) this.painting = false;
     }
+  }
+  // Some drivers compile meanwhile.
+  async #paintSkies() {
+    for (const more = 1; ;) {
+      this.core.exports.is_compiled();
+      await this.#breatheAtTimes();
+      await this.#withFiles(() => this.core.call("paint_skies", this.stretch));
+      const [left] = JSON.parse(this.core.answer());
+      if (left !== more) return left;
+    }
+  }
+  async #breatheAtTimes() {
+    if (performance.now() - this.breathed > this.stretch) await this.#breath();
   }
   // Throws where the context was lost meanwhile.
   async #breath() {
