@@ -19,4 +19,8 @@ void make_size_limits_errors();
 void before_faults(void (*say)(const char* fault));
 void leave_faults();  // no longer
 
+// Without taking anything apart; what stdio holds is written first. On Windows threads and libraries are not asked either: after all threads but one have
+// ended there, what waits for another would wait for ever.
+[[noreturn]] void end_at_once(int status);
+
 }  // namespace nullscope::platform

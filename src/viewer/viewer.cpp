@@ -18,6 +18,7 @@
 
 #include "base/assets.h"
 #include "image/image_file.h"
+#include "platform/endings.h"
 #include "platform/usage.h"
 #include "studio/pace.h"
 
@@ -28,10 +29,7 @@ constexpr const char* kFirstScene = "first-light";
 
 // Without the painter's thread: a driver that compiles, a sky that is built and an image that is read cannot be
 // interrupted. Files are written by this thread, so that none is left half done.
-[[noreturn]] void end_process() {
-    std::fflush(nullptr);
-    std::_Exit(0);
-}
+[[noreturn]] void end_process() { platform::end_at_once(0); }
 
 // The last session and the last recording, then files of one's own: those that are there.
 std::vector<std::string> recent_files(const ViewState& view) {

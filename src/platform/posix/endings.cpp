@@ -5,6 +5,8 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 
 namespace nullscope::platform {
 namespace {
@@ -64,6 +66,11 @@ void before_faults(void (*say)(const char*)) {
 
 void leave_faults() {
     for (const int signal : kFaults) std::signal(signal, SIG_DFL);
+}
+
+void end_at_once(int status) {
+    std::fflush(nullptr);
+    std::_Exit(status);
 }
 
 }  // namespace nullscope::platform

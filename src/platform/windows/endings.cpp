@@ -5,6 +5,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 
 namespace nullscope::platform {
 namespace {
@@ -55,6 +56,12 @@ void before_faults(void (*say)(const char*)) {
 void leave_faults() {
     say_fault = nullptr;
     std::signal(SIGABRT, SIG_DFL);
+}
+
+void end_at_once(int status) {
+    std::fflush(nullptr);
+    ::TerminateProcess(::GetCurrentProcess(), static_cast<UINT>(status));
+    std::abort();  // it does not come back
 }
 
 }  // namespace nullscope::platform

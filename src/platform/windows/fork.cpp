@@ -18,6 +18,7 @@
 #include <thread>
 #include <utility>
 
+#include "platform/endings.h"
 #include "platform/windows/start_process.h"
 
 namespace nullscope::platform {
@@ -58,9 +59,7 @@ const std::optional<Part>& own_part() {
         if (const int errors = _open_osfhandle(reinterpret_cast<std::intptr_t>(part.errors), _O_TEXT); errors >= 0)
             _dup2(errors, 2);
     const int status = run(_open_osfhandle(reinterpret_cast<std::intptr_t>(part.pipe), _O_BINARY));
-    std::fflush(nullptr);
-    ::TerminateProcess(::GetCurrentProcess(), static_cast<UINT>(status));  // as the program ends, programs/program.cpp
-    std::abort();
+    end_at_once(status);
 }
 
 std::wstring own_file() {
