@@ -36,6 +36,7 @@ public:
     };
     // shift: frequency in the camera over that of who has no angular momentum there.
     Light at(const Photon& photon, const RayGradient::Crossing& crossing, const Number& shift) const;
+    double emissivity(double r) const { return heat(Number(r)).value; }  // over the largest
     bool within(double r) const { return r >= spec_.inner && r <= spec_.outer; }
     const DiscMotion& motion() const { return motion_; }
     std::vector<LightMark> marks() const;  // ascending, within the rims

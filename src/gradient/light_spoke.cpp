@@ -14,6 +14,7 @@ constexpr int kMostCutTries = 60;
 constexpr double kCutFound = 1e-6;  // of a bracket: what keys move it by is that of a place so near
 
 constexpr int kOwnCircle = 8;       // power of the part of a piece, by which circles move as its other end does
+constexpr double kDim = 0.02;       // of the disc's largest emissivity: pieces that need half of the places
 constexpr double kThinDisc = 0.01;  // opacity of discs whose rims are not seen in what shines through them
 
 // A distance from the spoke's beginning, px, and how keys move it.
@@ -64,7 +65,8 @@ public:
             ends.push_back({0, kFirst, still}), ends.push_back({end_, kLast, still});
             std::ranges::sort(ends, {}, &Cut::rho);
             for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-                add_piece(order < kWholeOrders ? rule : thin, order, ends[i], ends[i + 1]);
+                add_piece(order < kWholeOrders && !dim(ends[i], ends[i + 1]) ? rule : thin, order, ends[i],
+                          ends[i + 1]);
             if (light_.scene().disc->opacity <= kThinDisc) continue;
             for (const Cut& cut : own) before.push_back({cut.rho, cut.name, cut.by});
         }
@@ -83,6 +85,15 @@ private:
                ray.crossings[order].r.value <= disc.outer;
     }
     std::vector<double> still_by() const { return std::vector<double>(light_.keys().size(), 0.0); }
+    // Of own cuts: between their circles of the disc.
+    bool dim(const Cut& low, const Cut& high) const {
+        if (low.mark_by.empty() || high.mark_by.empty()) return false;
+        const double a = radius(low), b = radius(high);
+        return light_.emissivity(a) < kDim && light_.emissivity(0.5 * (a + b)) < kDim && light_.emissivity(b) < kDim;
+    }
+    double radius(const Cut& cut) const {
+        return light_.marks()[static_cast<std::size_t>(cut.name) / PictureLight::kOrders].value;
+    }
     double critical() const;
     void look();
     std::vector<Cut> cuts_of(std::size_t order);

@@ -28,7 +28,7 @@ struct LightSpoke {
 constexpr std::size_t place_numbers(std::size_t keys) { return 2 + 2 * keys; }
 
 struct SpokeRule {
-    int places;  // in each piece, of Gauss and Legendre; in those of the last image half
+    int places;  // in each piece, of Gauss and Legendre; in those of the last image, and where the disc is dim, half
 };
 
 // Some 110 rays. from: a place of the picture, px; angle: rad from its right, downward; end: px from there, within the picture or beyond it.

@@ -45,6 +45,7 @@ public:
     const CameraView& view() const { return *view_; }
     bool has_horizon() const { return flow_->has_horizon(); }
     const std::vector<LightMark>& marks() const { return marks_; }
+    double emissivity(double r) const { return glow_->emissivity(r); }
     // Of a mark, by each key.
     std::vector<double> mark_by(const LightMark& mark) const;
     static constexpr int kOrders = 4;  // crossings whose light counts; what is left out is e^(-4 pi) of it

@@ -23,13 +23,13 @@ struct VisibilityGradient {
     Sums by_scale;         // by ln of all fringes' wave numbers
     double flux = 0;       // value without fringes
     std::vector<double> flux_by;
-    double error = 0;  // over root mean squares, of half as many spokes: that of all of them is about its square
+    double error = 0;  // over root mean squares, of half as many spokes: that of all of them is its square or less
     long rays = 0;
 };
 
 struct VisibilityRule {
     int places = 12;         // as SpokeRule
-    double tolerance = 0.1;  // for that error: spokes are doubled until then, from 8 to 64
+    double tolerance = 0.2;  // for that error: spokes are doubled until then, from 8 to 64
 };
 
 // All cores; some 2500 rays of 0.2 ms, and 0.1 ms a pattern. Errors: the hole is not in the picture, nor the disc whole; images that are no rings about the
