@@ -68,7 +68,9 @@ private:
     ExtrapolatedStep<Transferred> step(const Transferred& rate, double length) const {
         return extrapolated_step(
             here_, rate, length, [this](const Transferred& s) { return slope(s); },
-            [this](const Transferred& end, const Transferred& less_exact) { return error_of(end, less_exact) <= 1; });
+            [this](const Transferred& end, const Transferred& less_exact) {
+                return error_of(end, less_exact) <= kSpare;
+            });
     }
     double error_of(const Transferred& end, const Transferred& less_exact) const {
         StepError error(end, less_exact);
@@ -124,14 +126,15 @@ private:
         here_ = there;
     }
 
-    static constexpr double kOrder = 13.0;        // of the error that steps are chosen by
-    static constexpr double kLongestTurn = 1.0;   // rad, of a step
-    static constexpr double kShare = 0.9999;      // of the way to the sky, of a step
-    static constexpr double kToHorizon = 0.4;     // of the way to the horizon, of a step
-    static constexpr double kShareInside = 0.5;   // the same in matter
-    static constexpr double kScales = 4.0;        // of the matter, of a step in it
-    static constexpr double kLeastStep = 1e-7;    // of the longest
-    static constexpr double kGrazing = 1e-3;      // of the longest step: what matter a shorter one may miss
+    static constexpr double kSpare = 0.01;       // of the error allowed: derivatives of light are less exact than light
+    static constexpr double kOrder = 13.0;       // of the error that steps are chosen by
+    static constexpr double kLongestTurn = 1.0;  // rad, of a step
+    static constexpr double kShare = 0.9999;     // of the way to the sky, of a step
+    static constexpr double kToHorizon = 0.4;    // of the way to the horizon, of a step
+    static constexpr double kShareInside = 0.5;  // the same in matter
+    static constexpr double kScales = 4.0;       // of the matter, of a step in it
+    static constexpr double kLeastStep = 1e-7;   // of the longest
+    static constexpr double kGrazing = 1e-3;     // of the longest step: what matter a shorter one may miss
     static constexpr double kBeyondOrbits = 3.0;  // r_s, from where light that goes outward does not come back
     static constexpr double kAtRim = 1e-11;       // of a step
     static constexpr int kMostSteps = 4000, kMostTries = 60;
