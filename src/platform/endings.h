@@ -23,4 +23,8 @@ void leave_faults();  // no longer
 // ended there, what waits for another would wait for ever.
 [[noreturn]] void end_at_once(int status);
 
+// Whether threads that end at one time always do. Not on Windows: the thread that has used TBB and TBB's own, which end with it, wait for each other, one with
+// the lock of winpthreads' keys and one with the loader's. Who has nothing left to do ends at once there.
+bool threads_end_together();
+
 }  // namespace nullscope::platform

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "gl/driver_death.h"
 #include "platform/console.h"
+#include "platform/endings.h"
 #include "platform/failure_box.h"
 #include "version/version.h"
 #include "viewer/panel.h"
@@ -118,7 +119,9 @@ int main(int argc, char** argv) {
         const auto viewer = viewer::Viewer::open(options);
         if (!viewer) return report(viewer.error());
         const Status done = (*viewer)->run();
-        return done ? 0 : report(done.error());
+        const int status = done ? 0 : report(done.error());
+        if (!platform::threads_end_together()) platform::end_at_once(status);
+        return status;
     } catch (const std::bad_alloc&) {
         return report(failed("out of memory"));
     } catch (const std::exception& e) {

@@ -242,9 +242,11 @@ TEST_CASE("kerr observers: what of the energy does not go round with the horizon
 TEST_CASE("kerr observers: one on the horizon sees what one just inside sees") {
     constexpr int kThetas = 16;
     constexpr double kJustInside = 1e-9;
-    for (const auto& [spin, charge] : {std::pair{0.9, 0.0}, {0.6, 0.6}, {0.05, 0.99}}) {
+    for (const MetricParameters& hole : {MetricParameters({{"spin", 0.9}, {"charge", 0.0}}),
+                                         MetricParameters({{"spin", 0.6}, {"charge", 0.6}}),
+                                         MetricParameters({{"spin", 0.05}, {"charge", 0.99}})}) {
         Scene scene;
-        scene.spacetime = {"kerr-newman", {{"spin", spin}, {"charge", charge}}};
+        scene.spacetime = {"kerr-newman", hole};
         scene.sky.kind = SkyKind::kBlack;
         scene.camera = camera_at(1, 1, kRain);
         scene.camera.yaw = scene.camera.pitch = scene.camera.roll = 0;
@@ -258,7 +260,7 @@ TEST_CASE("kerr observers: one on the horizon sees what one just inside sees") {
             const auto inside = reference::trace_frame(scene);
             REQUIRE(on);
             REQUIRE(inside);
-            CAPTURE(spin);
+            CAPTURE(hole.at("spin"));
             CAPTURE(scene.camera.theta);
             CHECK(std::ranges::equal(on->pixels, inside->pixels, {}, &RayPixel::fate, &RayPixel::fate));
         }

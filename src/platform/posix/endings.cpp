@@ -73,4 +73,6 @@ void end_at_once(int status) {
     std::_Exit(status);
 }
 
+bool threads_end_together() { return true; }
+
 }  // namespace nullscope::platform

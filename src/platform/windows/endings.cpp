@@ -64,4 +64,6 @@ void end_at_once(int status) {
     std::abort();  // it does not come back
 }
 
+bool threads_end_together() { return false; }
+
 }  // namespace nullscope::platform
