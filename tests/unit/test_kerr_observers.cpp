@@ -242,9 +242,9 @@ TEST_CASE("kerr observers: what of the energy does not go round with the horizon
 TEST_CASE("kerr observers: one on the horizon sees what one just inside sees") {
     constexpr int kThetas = 16;
     constexpr double kJustInside = 1e-9;
-    for (const MetricParameters& hole : {MetricParameters({{"spin", 0.9}, {"charge", 0.0}}),
-                                         MetricParameters({{"spin", 0.6}, {"charge", 0.6}}),
-                                         MetricParameters({{"spin", 0.05}, {"charge", 0.99}})}) {
+    for (const MetricParameters& hole :
+         {MetricParameters({{"spin", 0.9}, {"charge", 0.0}}), MetricParameters({{"spin", 0.6}, {"charge", 0.6}}),
+          MetricParameters({{"spin", 0.05}, {"charge", 0.99}})}) {
         Scene scene;
         scene.spacetime = {"kerr-newman", hole};
         scene.sky.kind = SkyKind::kBlack;
