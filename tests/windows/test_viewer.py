@@ -19,6 +19,7 @@ from x_screen import WindowCloser, read_png, wait_until
 WIDTH, HEIGHT = 840, 600
 PICTURE = (340, 320, 800, 480)   # no panel and no message lies here
 GALLERY, GALLERY_CODES = (40, 120, 800, 300), 150   # pictures of scenes among text on one colour
+ENDINGS = 8
 CHANGED = 0.02                   # share of the bytes
 TABLE = Table()
 
@@ -90,6 +91,18 @@ class Window(unittest.TestCase):
         _, said = self.process.communicate(timeout=HUNG_S)
         self.assertEqual(self.process.returncode, 0, said.decode("utf-8", "replace"))
         TABLE.row("the window's button closes it", f"status 0, after {time.monotonic() - begun:.1f} s", "status 0")
+
+
+class Screenshot(unittest.TestCase):
+    def test_it_ends(self):
+        """The threads of the painter and of TBB do not wait for each other at the end: before, in six of ten runs."""
+        with tempfile.TemporaryDirectory(prefix="nullscope-windows-") as folder:
+            for run in range(ENDINGS):
+                done = subprocess.run(["wine", str(VIEWER), "kerr", "--size", "640x360", "--screenshot", f"{run}.png"], cwd=folder, stdout=subprocess.DEVNULL,
+                                      stderr=subprocess.PIPE, timeout=HUNG_S)
+                self.assertEqual(done.returncode, 0, done.stderr.decode("utf-8", "replace"))
+                self.assertGreater(len(set(read_png(Path(folder) / f"{run}.png").data)), 20)
+        TABLE.row(f"--screenshot, {ENDINGS} times", "saved, and ended with status 0", "each")
 
 
 class Archive(unittest.TestCase):
