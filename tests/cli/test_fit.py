@@ -149,14 +149,18 @@ class Fits(support.CliTest):
 
     @support.costly
     def test_visibilities(self):
-        scene = (fit_data.SCENE % (48, 48)) + '[object]\nname = "m87"\n'
-        self.write("true.toml", scene)
-        self.run_nullscope("visibility", "true.toml", "--size", "96x96", "--renderer", "reference", "--samples", "3", "--radial", "30", "8", "--points", "24", "-o", "seen")
-        self.with_noise("seen.csv", ["real", "imaginary"], 0.01)
-        found = json.loads(self.run_nullscope("fit", "seen.csv", "true.toml", "--free", FREE, "--starts", "1", "--json").out)
-        self.holds(found)
-        self.assertEqual(found["degrees_of_freedom"], 2 * 24 - 2)
-        self.assertTrue(found["describes_the_data"], found)
+        """Of an opaque disc derivatives are differences of pictures, of a transparent one they are exact, and take no predictions."""
+        predictions = []
+        for opacity in ("", "opacity = 0.005"):
+            self.write("true.toml", (fit_data.SCENE % (48, 48)).replace("outer = 10.0", f"outer = 10.0\n{opacity}") + '[object]\nname = "m87"\n')
+            self.run_nullscope("visibility", "true.toml", "--size", "96x96", "--renderer", "reference", "--samples", "3", "--radial", "30", "8", "--points", "24", "-o", "seen")
+            self.with_noise("seen.csv", ["real", "imaginary"], 0.01)
+            found = json.loads(self.run_nullscope("fit", "seen.csv", "true.toml", "--free", FREE, "--starts", "1", "--json").out)
+            self.holds(found)
+            self.assertEqual(found["degrees_of_freedom"], 2 * 24 - 2)
+            self.assertTrue(found["describes_the_data"], found)
+            predictions.append(found["predictions"])
+        self.assertLess(predictions[1], predictions[0])
 
     @support.costly
     def test_lines(self):
