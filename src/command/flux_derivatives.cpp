@@ -24,6 +24,9 @@ Result<FluxTable> table_of(const Scene& scene, const std::vector<std::string>& k
     for (std::size_t i = 0; i < found->by.size(); ++i)
         table.rows.push_back(
             {"d_" + (*light)->keys()[i].name, found->by[i], found->by[i] / found->flux, found->by_error[i]});
+    if (!(found->error <= error))
+        table.notes.push_back(
+            fmt::format("within {:.2g}, not within the {:g} that was asked for", found->error, error));
     return table;
 }
 

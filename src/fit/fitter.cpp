@@ -29,6 +29,26 @@ Status refine_answers(const Problem& problem, Fitted& fitted) {
     return Done{};
 }
 
+// N standard deviations to either side chi^2 is larger by N^2 at least, by more where parameters are correlated. Where it is not on either, its derivative was
+// a picture's grain, whose own chi^2 does not grow: the data do not determine the parameter, of which the range is all that is known.
+constexpr double kFarSigmas = 4, kLeastRise = 0.25;  // of N^2
+void doubt_grain(const Problem& problem, Fitted& fitted, Solution& solution) {
+    for (std::size_t i = 0; i < solution.sigma.size(); ++i) {
+        const double low = solution.values[i] - problem.free[i].low, high = problem.free[i].high - solution.values[i],
+                     sigma = solution.sigma[i];
+        bool looked = false, rises = false;
+        for (const double step : {-std::min(kFarSigmas * sigma, low), std::min(kFarSigmas * sigma, high)}) {
+            if (std::fabs(step) < sigma) continue;  // there is no room
+            std::vector<double> values = solution.values;
+            values[i] += step;
+            const auto there = compare(problem, values);
+            ++fitted.predictions, looked = true;
+            rises = rises || !there || there->chi2 - solution.chi2 > kLeastRise * (step / sigma) * (step / sigma);
+        }
+        if (looked && !rises) solution.sigma[i] = problem.free[i].high - problem.free[i].low;
+    }
+}
+
 // In standard deviations; without these infinite.
 double most_moved(const Solution& from, const Solution& to) {
     if (to.sigma.empty()) return HUGE_VAL;
@@ -57,6 +77,7 @@ Result<Fitted> run_fit(const Problem& problem, const Problem* coarse, const Sear
         fitted.moved = most_moved(best, *again);
         best = std::move(*again);
     } while (fitted.moved > kStays && finer && finer());
+    doubt_grain(problem, fitted, best);
     advance(1);
     fitted.best = std::move(best);
     fitted.goodness =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <tbb/parallel_for.h>
 
@@ -45,12 +46,25 @@ void add_to(FluxGradient& sum, const FluxGradient& part, double weight) {
     for (std::size_t key = 0; key < sum.by.size(); ++key) sum.by[key] += weight * part.by[key];
 }
 
-// A part of the picture between two directions: its flux, and by how much less exact a rule of half as many spokes differs.
+// A part of the picture between two directions: its flux, and by how much less exact a rule of half as many spokes differs, or half of what its own halves
+// have changed: where images of rims begin or end two rules may agree by chance, three hardly do.
 struct Sector {
     double from, to;
     bool known = false;
     FluxGradient sum{};
+    std::optional<FluxGradient> whole{};  // of this one and the next, before they were two
 };
+
+void compare_with_whole(const FluxGradient& whole, Sector& one, Sector& other) {
+    const auto raise = [](double before, double a, double b, double& error_a, double& error_b) {
+        const double change = 0.5 * std::fabs(before - a - b);
+        error_a = std::max(error_a, change), error_b = std::max(error_b, change);
+    };
+    FluxGradient &a = one.sum, &b = other.sum;
+    raise(whole.flux, a.flux, b.flux, a.flux_error, b.flux_error);
+    for (std::size_t key = 0; key < a.by.size(); ++key)
+        raise(whole.by[key], a.by[key], b.by[key], a.by_error[key], b.by_error[key]);
+}
 
 class Sectors {
 public:
@@ -78,8 +92,9 @@ public:
                 all.flux_error += sector.sum.flux_error, all.rays += sector.sum.rays;
                 for (std::size_t key = 0; key < all.by.size(); ++key) all.by_error[key] += sector.sum.by_error[key];
             }
-            if (done_) done_(worst(all, all));
-            if (!split(all)) break;
+            all.error = worst(all, all);
+            if (done_) done_(all.error);
+            if (round + 1 == kMostRounds || !split(all, round == 0)) break;
         }
         all.rays += left_;
         return all;
@@ -99,7 +114,7 @@ private:
         return error;
     }
     void trace();
-    bool split(const FluxGradient& all);
+    bool split(const FluxGradient& all, bool every);
 
     static constexpr double kLeastSlope = 0.01;  // of the flux, by a unit: smaller derivatives are known to this
     std::size_t keys_;
@@ -135,21 +150,24 @@ void Sectors::trace() {
         for (std::size_t key = 0; key < sum.by.size(); ++key) sum.by_error[key] = std::fabs(sum.by[key] - less.by[key]);
         sector.sum = sum, sector.known = true;
     }
+    for (const std::size_t i : unknown)
+        if (sectors_[i].whole) compare_with_whole(*sectors_[i].whole, sectors_[i], sectors_[i + 1]);
 }
 
-// What is too inexact into halves. Whether there was any.
-bool Sectors::split(const FluxGradient& all) {
-    if (worst(all, all) <= tolerance_) return false;
+// What is too inexact, or every one, into halves. Whether there was any.
+bool Sectors::split(const FluxGradient& all, bool every) {
+    if (!every && all.error <= tolerance_) return false;
     std::vector<Sector> next;
     const double allowed = tolerance_ / static_cast<double>(sectors_.size());
-    for (const Sector& sector : sectors_) {
-        if (worst(sector.sum, all) <= allowed) {
-            next.push_back(sector);
+    for (Sector& sector : sectors_) {
+        if (!every && worst(sector.sum, all) <= allowed) {
+            next.push_back(std::move(sector));
+            next.back().whole.reset();
             continue;
         }
         const double middle = 0.5 * (sector.from + sector.to);
         left_ += sector.sum.rays;
-        next.push_back({sector.from, middle}), next.push_back({middle, sector.to});
+        next.push_back({sector.from, middle, false, {}, sector.sum}), next.push_back({middle, sector.to});
     }
     sectors_ = std::move(next);
     return true;

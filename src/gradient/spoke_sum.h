@@ -13,8 +13,10 @@ namespace nullscope {
 struct FluxGradient {
     double flux = 0;         // luminance of linear light, summed over the picture, px
     std::vector<double> by;  // by each key of the light
-    double flux_error = 0;   // differences from a rule of half as many spokes, which is off by more than this
+    double flux_error = 0;   // by a rule of half as many spokes, or by sectors twice as wide, where that is more
     std::vector<double> by_error;
+    double error =
+        0;  // the largest of these, over the flux, the derivative, or 0.01 of the flux a unit where that is more
     long rays = 0;
 };
 

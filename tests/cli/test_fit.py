@@ -163,6 +163,16 @@ class Fits(support.CliTest):
         self.assertLess(predictions[1], predictions[0])
 
     @support.costly
+    def test_grain_is_no_signal(self):
+        """Baselines from north to south do not see where a source is from east to west, but a picture's grain changes with it."""
+        self.write("true.toml", (fit_data.SCENE % (48, 48)) + '[object]\nname = "m87"\n')
+        self.run_nullscope("visibility", "true.toml", "--radial", "0", "8", "--points", "40", "-o", "seen")
+        found = json.loads(self.run_nullscope("fit", "seen.csv", "true.toml", "--free", "camera.shift_x=-0.05:0.05,camera.theta=40:60", "--sigma", "0.003", "--starts", "1", "--json").out)
+        shift, theta = found["parameters"]
+        self.assertIsNone(shift["sigma"], found)
+        self.assertLess(abs(theta["best"] - 50), 4 * theta["sigma"])
+
+    @support.costly
     def test_lines(self):
         self.write("true.toml", fit_data.SCENE % (8, 8))
         self.run_nullscope("spectrum", "true.toml", "--bins", "40", "-o", "line")
