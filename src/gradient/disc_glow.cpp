@@ -173,6 +173,7 @@ Shade DiscGlow::within_rims(const Shade& r) const {
 
 Colour DiscGlow::pattern(const Shade& r, const Shade& azimuth) const {
     const Vec3 &first = spec_.material.colour, &second = spec_.material.second_colour;
+    if (spec_.material.texture == TextureKind::kImage) return {Shade(1.0), Shade(1.0), Shade(1.0)};
     if (!formula_) return {Shade(first.x), Shade(first.y), Shade(first.z)};
     const Shade inner = own(spec_.inner, kSeedInner), outer = own(spec_.outer, kSeedOuter);
     Shade turned = azimuth - spec_.rotation;

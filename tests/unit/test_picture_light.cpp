@@ -11,9 +11,8 @@
 #include "changed_scene.h"
 #include "gradient/formula_number.h"
 #include "gradient/picture_flux.h"
+#include "known_light.h"
 #include "light/black_body.h"
-#include "reference/disc_light.h"
-#include "reference/frame_tracer.h"
 #include "scene/projection.h"
 #include "support/costly.h"
 #include "support/depth.h"
@@ -23,6 +22,7 @@ namespace {
 
 using namespace nullscope;
 using test::change_scene;
+using test::KnownLight;
 
 struct LitCase {
     const char* name;
@@ -100,45 +100,6 @@ const LitCase kLitCases[] = {
          s.disc->accretion = AccretionSpec{1e8, 0.3};
      },
      1e-4},
-};
-
-// The reference's light of a place, in double.
-class KnownLight {
-public:
-    explicit KnownLight(const Scene& scene)
-        : scene_(scene),
-          tracer_(std::move(*reference::FrameTracer::make(scene))),
-          light_(tracer_.matter(), *scene.disc, scene.light) {}
-
-    Vec3 at(double x, double y) const {
-        const DiscSpec& disc = *scene_.disc;
-        const auto ray = tracer_.ray(x, y);
-        Vec3 sum;
-        double through = 1;
-        for (const auto& hit : tracer_.disc_hits(*ray, 16)) {
-            const double r = std::hypot(hit.x, hit.y), depth = std::min(r - disc.inner, disc.outer - r),
-                         t = std::clamp(depth / (disc.outer - disc.inner) / disc.edge, 0.0, 1.0),
-                         alpha = disc.opacity * t * t * (3 - 2 * t);
-            const reference::PhotonAtDisc photon{r, hit.l, hit.climb, hit.cosine, hit.across};
-            const Vec3 light = light_.colour(photon, ray->g * light_.shift(photon).seen(scene_.light));
-            const Vec3 paint = through * alpha * disc.brightness * colour(hit.x, hit.y);
-            sum = sum + Vec3{paint.x * light.x, paint.y * light.y, paint.z * light.z};
-            through *= 1 - alpha;
-        }
-        return sum;
-    }
-
-private:
-    Vec3 colour(double x, double y) const {
-        const Material& material = scene_.disc->material;
-        if (material.texture != TextureKind::kFormula) return material.colour;
-        const double r = std::hypot(x, y), v = (r - scene_.disc->inner) / (scene_.disc->outer - scene_.disc->inner),
-                     share = std::clamp(0.5 + 0.4 * std::sin(12 * v) * x / r, 0.0, 1.0);
-        return share * material.colour + (1 - share) * material.second_colour;
-    }
-    Scene scene_;
-    reference::FrameTracer tracer_;
-    reference::DiscLight light_;
 };
 
 double step_of(ParameterKind kind) { return kind == ParameterKind::kTemperature ? 20.0 : 1e-3; }

@@ -9,9 +9,7 @@
 
 #include "changed_scene.h"
 #include "gradient/picture_visibility.h"
-#include "light/black_body.h"
-#include "reference/disc_light.h"
-#include "reference/frame_tracer.h"
+#include "known_light.h"
 #include "scene/projection.h"
 #include "support/costly.h"
 #include "support/depth.h"
@@ -71,20 +69,8 @@ double size_of(const VisibilityGradient::Sums& sums) {
     return std::sqrt(sum / static_cast<double>(sums.size()));
 }
 
-double luminance_there(const reference::FrameTracer& tracer, const reference::DiscLight& light, const Scene& scene,
-                       double x, double y) {
-    const DiscSpec& disc = *scene.disc;
-    const auto ray = tracer.ray(x, y);
-    double sum = 0;
-    for (const auto& hit : tracer.disc_hits(*ray, 16)) {
-        const double r = std::hypot(hit.x, hit.y), depth = std::min(r - disc.inner, disc.outer - r),
-                     t = std::clamp(depth / (disc.outer - disc.inner) / disc.edge, 0.0, 1.0);
-        const reference::PhotonAtDisc photon{r, hit.l, hit.climb, hit.cosine, hit.across};
-        const Vec3 here = light.colour(photon, ray->g * light.shift(photon).seen(scene.light)),
-                   paint = disc.opacity * t * t * (3 - 2 * t) * disc.brightness * disc.material.colour;
-        sum += 0.2126390059 * paint.x * here.x + 0.7151686788 * paint.y * here.y + 0.0721923154 * paint.z * here.z;
-    }
-    return sum;
+double luminance_of(const Vec3& light) {
+    return 0.2126390059 * light.x + 0.7151686788 * light.y + 0.0721923154 * light.z;
 }
 
 // Sums over places of a picture leave out how the thin images lie between them: less so the more places there are.
@@ -94,16 +80,14 @@ TEST_CASE("picture visibility: as sums over the reference's rays have it") {
     const Scene scene = ring_scene();
     const std::vector<Fringes> fringes = some_fringes();
     const VisibilityGradient found = found_of(scene, {}, fringes);
-    const auto tracer = reference::FrameTracer::make(scene);
-    REQUIRE(tracer);
-    const reference::DiscLight light(tracer->matter(), *scene.disc, scene.light);
+    const test::KnownLight light(scene);
     const int across = test::by_depth(2, 4, 8);
     VisibilityGradient::Sums sums(fringes.size());
     double all = 0;
     for (int row = 0; row < kAcross * across; ++row)
         for (int column = 0; column < kAcross * across; ++column) {
             const double x = (column + 0.5) / across, y = (row + 0.5) / across;
-            const double there = luminance_there(*tracer, light, scene, x, y) / (across * across);
+            const double there = luminance_of(light.at(x, y)) / (across * across);
             all += there;
             for (std::size_t i = 0; i < fringes.size(); ++i)
                 sums[i] +=
