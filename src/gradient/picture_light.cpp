@@ -83,7 +83,6 @@ PictureLight::Ray PictureLight::at(double x, double y, double along_x, double al
     ray.off_edge /= pixel_angle(scene_.camera, x, y);
     const Change along = view_->moved(seen, x, y, along_x, along_y);
     ray.light = {sum[0].value, sum[1].value, sum[2].value};
-    ray.along = colour_by(sum, along);
     for (std::size_t k = 0; k < found.crossings.size(); ++k) {
         const Number& r = found.crossings[k].r;
         ray.crossings.push_back(

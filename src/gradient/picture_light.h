@@ -31,7 +31,6 @@ public:
     struct Ray {
         Vec3 light;                       // linear Rec. 709, as the reference's pictures have it
         std::vector<Vec3> by;             // by each key, the place in the picture kept
-        Vec3 along;                       // by the move of `at`, per px
         std::vector<Crossing> crossings;  // of the disc's plane, within farthest() r_s
         double
             off_edge;  // px to the critical curve or to a rim's image, by the first derivative: the derivatives hold for less
