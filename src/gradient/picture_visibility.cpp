@@ -95,23 +95,29 @@ public:
     }
     double farthest() const { return farthest_; }
 
-    // Between the spokes, of each `step`-th, places as fringes of this wave number ask for.
-    void add_to(std::vector<double>& numbers, double place, std::size_t step, double most) const {
-        const std::size_t known = spokes_.size() / step;
-        std::vector<double> here(spokes_[0].size());
-        for (std::size_t i = 0; i < known; ++i) {
-            const double share = share_of_spoke(place * static_cast<double>(known) - static_cast<double>(i), known);
-            for (std::size_t n = 0; n < here.size(); ++n) here[n] += share * spokes_[i * step][n];
-        }
+    // Places as fringes of a wave number ask for, and what this piece's own count there.
+    struct Finer {
+        LegendreRule rule;
+        std::vector<double> shares;
+    };
+    Finer finer(double most) const {
         const int dense = static_cast<int>(kLeastPlaces + kPlacesARadian * most * widest_);
-        const LegendreRule to(std::max(dense, static_cast<int>(rule_.at.size())));
-        const std::vector<double> shares = between_rules(rule_, to);
+        const LegendreRule rule(std::max(dense, static_cast<int>(rule_.at.size())));
+        return {rule, between_rules(rule_, rule)};
+    }
+    // Appends such places between the spokes, of which each counts as told.
+    void add_to(std::vector<double>& numbers, const std::vector<double>& spokes, const Finer& finer) const {
+        const std::size_t step = spokes_.size() / spokes.size();
+        std::vector<double> here(spokes_[0].size());
+        for (std::size_t i = 0; i < spokes.size(); ++i)
+            for (std::size_t n = 0; n < here.size(); ++n) here[n] += spokes[i] * spokes_[i * step][n];
+        const LegendreRule& to = finer.rule;
         const std::size_t from = numbers.size(), n = rule_.at.size();
         numbers.resize(from + to.at.size() * size_);
         for (std::size_t row = 0; row < to.at.size(); ++row) {
             double* there = &numbers[from + row * size_];
             for (std::size_t i = 0; i < n; ++i)
-                for (std::size_t k = 0; k < size_; ++k) there[k] += shares[row * n + i] * here[i * size_ + k];
+                for (std::size_t k = 0; k < size_; ++k) there[k] += finer.shares[row * n + i] * here[i * size_ + k];
             const double light = to.weight[row] * (logged_ ? std::exp(there[1]) : there[1]);
             for (std::size_t key = 0; key < keys_; ++key) there[2 + key] *= logged_ ? light : to.weight[row];
             there[1] = light;
@@ -161,11 +167,17 @@ public:
     std::vector<Sums> sums(const std::vector<Fringes>& fringes, std::size_t step) const {
         double most = 0, farthest = 0;
         for (const Fringes& one : fringes) most = std::max(most, density(one));
-        for (const Ring& ring : rings_) farthest = std::max(farthest, ring.farthest());
+        std::vector<Ring::Finer> finer;
+        for (const Ring& ring : rings_)
+            farthest = std::max(farthest, ring.farthest()), finer.push_back(ring.finer(most));
+        const std::size_t known = spokes_.size() / step;
         std::vector<std::vector<double>> dense(static_cast<std::size_t>(kLeastDense + kDenseARadian * most * farthest));
         tbb::parallel_for(std::size_t{0}, dense.size(), [&](std::size_t m) {
-            for (const Ring& ring : rings_)
-                ring.add_to(dense[m], static_cast<double>(m) / static_cast<double>(dense.size()), step, most);
+            const double place = static_cast<double>(m * known) / static_cast<double>(dense.size());
+            std::vector<double> shares;
+            for (std::size_t i = 0; i < known; ++i)
+                shares.push_back(share_of_spoke(place - static_cast<double>(i), known));
+            for (std::size_t k = 0; k < rings_.size(); ++k) rings_[k].add_to(dense[m], shares, finer[k]);
         });
         std::vector<Sums> sums(fringes.size(), Sums(2 + keys_));
         tbb::parallel_for(std::size_t{0}, fringes.size(), [&](std::size_t i) {
