@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 #include "base/assets.h"
@@ -26,10 +24,6 @@ namespace nullscope::viewer {
 namespace {
 
 constexpr const char* kFirstScene = "first-light";
-
-// Without the painter's thread: a driver that compiles, a sky that is built and an image that is read cannot be
-// interrupted. Files are written by this thread, so that none is left half done.
-[[noreturn]] void end_process() { platform::end_at_once(0); }
 
 // The last session and the last recording, then files of one's own: those that are there.
 std::vector<std::string> recent_files(const ViewState& view) {
@@ -102,7 +96,9 @@ Status Viewer::run() {
     keep_settings();
     if (!patient()) files_.autosave.end(view_.scene, view_.loaded);
     flight_.film.cancel();
-    if (painter_->at_work()) end_process();
+    // Without the painter's thread: a driver that compiles, a sky that is built and an image that is read cannot be
+    // interrupted. Files are written by this thread, so that none is left half done.
+    if (painter_->at_work()) platform::end_at_once(0);
     return Done{};
 }
 
