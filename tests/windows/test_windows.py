@@ -41,6 +41,15 @@ class WindowsTest(support.CliTest):
         self.assertEqual(ran.status, status, f"nullscope.exe {' '.join(map(str, arguments))}\n{ran}")
         return ran
 
+    def build(self, name, *words):
+        subprocess.run([COMPILER, "-std=c++20", "-O2", "-static", *words, "-o", self.folder / name], check=True)
+        return self.folder / name
+
+    def passes(self, name, *words):
+        """A program of tests/windows, which says nothing."""
+        done = subprocess.run(["wine", self.build(name, *words)], capture_output=True, text=True, timeout=support.LONGEST_S)
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+
 
 class Program(WindowsTest):
     def test_imports_are_the_systems(self):
@@ -63,19 +72,11 @@ class Program(WindowsTest):
         TABLE.row("files in C++ without registers across calls", str(files), "all")
 
     def test_names_are_utf8(self):
-        test = self.folder / "names.exe"
-        subprocess.run([COMPILER, "-std=c++20", "-O2", "-static", "-I", ROOT / "src", ROOT / "tests/windows/utf8_names.cpp",
-                        ROOT / "src/platform/windows/utf8.cpp", "-o", test], check=True)
-        done = subprocess.run(["wine", test], capture_output=True, text=True, timeout=support.LONGEST_S)
-        self.assertEqual((done.returncode, done.stdout), (0, ""))
+        self.passes("names.exe", "-I", ROOT / "src", ROOT / "tests/windows/utf8_names.cpp", ROOT / "src/platform/windows/utf8.cpp")
 
     def test_threads_have_a_whole_long_double(self):
         """The reference relies on it; Windows begins a thread with 53 bits."""
-        test = self.folder / "precision.exe"
-        subprocess.run([COMPILER, "-std=c++20", "-O2", "-static", "-I", FOLDER / "prefix/include", ROOT / "tests/windows/thread_precision.cpp",
-                        FOLDER / "prefix/lib/libtbb12.a", "-o", test], check=True)
-        done = subprocess.run(["wine", test], capture_output=True, text=True, timeout=support.LONGEST_S)
-        self.assertEqual((done.returncode, done.stdout), (0, ""))
+        self.passes("precision.exe", "-I", FOLDER / "prefix/include", ROOT / "tests/windows/thread_precision.cpp", FOLDER / "prefix/lib/libtbb12.a")
         TABLE.row("long double of TBB's threads", "64 bits", "those of the thread that gives them work")
 
     def test_info(self):
@@ -114,8 +115,7 @@ class Program(WindowsTest):
     def test_a_film_by_ffmpeg(self):
         """By the program that stands for it, in PATH."""
         (self.folder / "bin").mkdir()
-        subprocess.run([COMPILER, "-municode", "-std=c++20", "-O2", "-static", "-I", ROOT / "src", ROOT / "tests/windows/fake_ffmpeg.cpp",
-                        ROOT / "src/platform/windows/utf8.cpp", "-o", self.folder / "bin/ffmpeg.exe"], check=True)
+        self.build("bin/ffmpeg.exe", "-municode", "-I", ROOT / "src", ROOT / "tests/windows/fake_ffmpeg.cpp", ROOT / "src/platform/windows/utf8.cpp")
         said = self.wine(*FILM, "--workers", "2", "-o", f"{NAME}.mp4", environment={"WINEPATH": str(self.folder / "bin")}).out
         self.assertIn(f"{NAME}.mp4: 32x18, 2 frames at 24 a second\n", said)
         words = (self.folder / f"{NAME}.mp4").read_text(encoding="utf-8").splitlines()
