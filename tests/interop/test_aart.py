@@ -121,7 +121,7 @@ def cost(report, folder):
     finer = ns.likelihood({"u": u, "v": v, "amplitude": data}, scene(folder, 512), {"spin": (0.5, 0.9), "camera.theta": (40, 60)}, sigma=SIGMA, samples=16)
     exact = (finer.predict([SPIN + step, INCLINATION]) - finer.predict([SPIN - step, INCLINATION])) / (2 * step)
     found = like.derivatives([SPIN, INCLINATION])[0]
-    report.add("derivatives by the spin, less differences of 8192 x 8192 rays, over their length", np.linalg.norm(found - exact) / np.linalg.norm(exact), 0.03)
+    report.add("derivatives by the spin, less differences of 8192 x 8192 rays, over their length", np.linalg.norm(found - exact) / np.linalg.norm(exact), 0.02)
 
 
 if __name__ == "__main__":
