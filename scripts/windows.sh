@@ -86,11 +86,12 @@ imgui() {
 if wanted libraries; then
     # Headers alone are the same everywhere; with them go the files by which CMake finds them.
     mkdir -p "$folder/prefix/include" "$folder/prefix/share/cmake" "$folder/prefix/lib/pkgconfig"
-    for headers in boost CLI fast_float glm nlohmann stb toml++; do
+    for headers in boost CLI eigen3 fast_float glm nlohmann stb toml++; do
         [[ -e /usr/include/$headers ]] || skip "/usr/include/$headers is missing: scripts/install-packages.sh"
         ln -sfn "/usr/include/$headers" "$folder/prefix/include/$headers"
     done
     cp -r /usr/share/cmake/{CLI11,glm,nlohmann_json} "$folder/prefix/share/cmake"
+    cp -r /usr/share/eigen3 "$folder/prefix/share"
     ln -sfn /usr/x86_64-w64-mingw32/include/zlib.h /usr/x86_64-w64-mingw32/include/zconf.h "$folder/prefix/include"
     cp -u /usr/x86_64-w64-mingw32/lib/libz.a "$folder/prefix/lib"
     # The distribution's own file asks for the shared library.
@@ -114,6 +115,9 @@ if wanted libraries; then
         rm -f "$folder/prefix/onetbb.whole"
     fi
     library onetbb -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF
+    # Fits are of a few numbers: Eigen's dense matrices will do.
+    library ceres-solver -DMINIGLOG=ON -DGFLAGS=OFF -DLAPACK=OFF -DSUITESPARSE=OFF -DCXSPARSE=OFF -DEIGENSPARSE=OFF -DCUDA=OFF -DSCHUR_SPECIALIZATIONS=OFF \
+        -DBUILD_{EXAMPLES,BENCHMARKS}=OFF
     library glfw3 -DGLFW_BUILD_{EXAMPLES,TESTS,DOCS}=OFF
     imgui
 fi
@@ -121,11 +125,17 @@ fi
 if wanted build; then
     say "building"
     cmake -G Ninja -S "$repository" -B "$folder/build" --toolchain "$repository/scripts/windows.cmake" -DCMAKE_BUILD_TYPE=Release \
-        -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -DNULLSCOPE_UNITY=ON -DNULLSCOPE_FIT=OFF -DNULLSCOPE_TESTS=OFF \
+        -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -DNULLSCOPE_UNITY=ON -DNULLSCOPE_TESTS=OFF \
         >"$folder/configure.log" || { tail -n 20 "$folder/configure.log" >&2; exit 1; }
     cmake --build "$folder/build" --target nullscope nullscope-viewer
 fi
 if wanted test; then
+    # For the film: PyPI has it for Windows. Where it cannot be had, that test says so.
+    if [[ ! -e $folder/ffmpeg/ffmpeg.exe ]]; then
+        rm -rf "$folder/ffmpeg" && mkdir "$folder/ffmpeg"
+        python3 -m pip download --quiet --no-deps --only-binary=:all: --platform win_amd64 --dest "$folder/ffmpeg" imageio-ffmpeg==0.6.0 >/dev/null 2>&1 &&
+            unzip -q -j "$folder"/ffmpeg/*.whl '*.exe' -d "$folder/ffmpeg" && mv "$folder"/ffmpeg/*.exe "$folder/ffmpeg/ffmpeg.exe" || say "no ffmpeg.exe"
+    fi
     here=$repository/build/release/bin/nullscope
     [[ -x $here ]] || skip "there is no $here to compare with: scripts/build.sh"
     for test in "test_windows.py $here" test_viewer.py; do
@@ -155,7 +165,10 @@ if wanted zip; then
         [[ -n $text ]] || { say "no licence of $package"; exit 1; }
         cp "$text" "$folder/zip/$name/share/doc/libraries/$(basename "$(dirname "$package")")"
     done
-    for package in libz-mingw-w64-dev mingw-w64-common; do
+    # And libraries of headers alone, by their packages.
+    headers=$(dpkg-query --search /usr/include/{CLI/CLI.hpp,boost/version.hpp,eigen3/Eigen/Core,fast_float/fast_float.h,glm/glm.hpp,nlohmann/json.hpp,stb/stb_image.h,toml++/toml.h} |
+        sed 's/:.*//')
+    for package in libz-mingw-w64-dev mingw-w64-common $headers; do
         cp "/usr/share/doc/$package/copyright" "$folder/zip/$name/share/doc/libraries/$package"
     done
     # For who unpacks it, in the lines of Windows; SmartScreen's words are Microsoft's.

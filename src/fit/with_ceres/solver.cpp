@@ -1,6 +1,13 @@
 #include "fit/solver.h"
 
-#include <ceres/ceres.h>
+// Not ceres/ceres.h: its jet.h asks for Bessel functions, which mingw-w64 hides in standard C++.
+#include <ceres/cost_function.h>
+#include <ceres/covariance.h>
+#include <ceres/evaluation_callback.h>
+#include <ceres/iteration_callback.h>
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
 
 #include <algorithm>
 #include <cmath>
