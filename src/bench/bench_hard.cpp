@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/csv.h"
 #include "base/progress.h"
@@ -15,6 +16,7 @@
 #include "command/json.h"
 #include "compare/hard_cases.h"
 #include "compare/ray_metrics.h"
+#include "context/context.h"
 #include "gl/compute.h"
 #include "reference/reference.h"
 
@@ -27,15 +29,23 @@ struct HardBench {
 
 constexpr double kRefineHardAbove_px = 1e-5;  // below every bound of the list but those of frames of a pixel or two
 struct Implementation {
-    const char *name, *heading;
-    const char* context;   // null: the shader's text in C++
+    std::string name, heading;
+    std::string context;   // empty: the shader's text in C++
     bool compute = false;  // by compute shaders, where the driver has them
 };
-constexpr std::array<Implementation, 5> kImplementations = {{{"core64", "core64", nullptr},
-                                                             {"core32", "core32", nullptr},
-                                                             {"egl", "EGL", "egl"},
-                                                             {"osmesa", "OSMesa", "osmesa"},
-                                                             {"compute", "compute", "egl", true}}};
+
+// Every kind of context that this system has, and compute shaders in the first.
+const std::vector<Implementation>& implementations() {
+    static const std::vector<Implementation> all = [] {
+        const std::map<std::string, std::string> written = {{"egl", "EGL"}, {"osmesa", "OSMesa"}, {"wgl", "WGL"}};
+        std::vector<Implementation> found = {{"core64", "core64", {}}, {"core32", "core32", {}}};
+        const std::vector<std::string> kinds = context_kinds();
+        for (const std::string& kind : kinds) found.push_back({kind, written.at(kind), kind});
+        found.push_back({"compute", "compute", kinds.front(), true});
+        return found;
+    }();
+    return all;
+}
 
 struct Measured {
     HardBound bound, error;  // px
@@ -55,7 +65,7 @@ struct HardRow {
     const HardCase* hard = nullptr;
     RayFrame exact;
     std::optional<ReferenceRow> reference;
-    std::array<std::optional<Measured>, kImplementations.size()> by;
+    std::vector<std::optional<Measured>> by = std::vector<std::optional<Measured>>(implementations().size());
     bool within() const {
         if (reference && !(reference->error_px <= reference->bound_px)) return false;
         return std::ranges::all_of(by, [](const auto& m) { return !m || m->over_bound() <= 1; });
@@ -100,7 +110,7 @@ Status measure_on_cpu(std::vector<HardRow>& rows) {
 }
 
 Status measure_on_gpu(std::vector<HardRow>& rows, std::size_t at) {
-    const Implementation& by = kImplementations[at];
+    const Implementation& by = implementations()[at];
     auto session = open_session(by.context);
     if (!session || (by.compute && !gl::computes())) {
         fmt::print(stderr, "nullscope: {}: column {} left empty\n",
@@ -148,9 +158,9 @@ std::string cell(const std::optional<Measured>& m, bool disc) {
 }
 
 void print_hard(const std::vector<HardRow>& rows) {
-    fmt::print(
-        "| case | why it is hard | bound px | reference | core64 | core32 | EGL | OSMesa | compute "
-        "|\n|---|---|---|---|---|---|---|---|---|\n");
+    std::string headings = "| case | why it is hard | bound px | reference |", line = "\n|---|---|---|---|";
+    for (const Implementation& by : implementations()) headings += fmt::format(" {} |", by.heading), line += "---|";
+    fmt::print("{}{}\n", headings, line);
     for (const HardRow& row : rows) {
         const bool disc = row.hard->scene.disc.has_value();
         const HardBound bound = hard_bound(row.hard->scene, row.exact);
@@ -162,11 +172,11 @@ void print_hard(const std::vector<HardRow>& rows) {
     }
     const auto within = std::ranges::count_if(rows, &HardRow::within);
     fmt::print("\n{} of {} rows within their bounds; largest error over bound:", within, rows.size());
-    for (std::size_t i = 0; i < kImplementations.size(); ++i) {
+    for (std::size_t i = 0; i < implementations().size(); ++i) {
         double most = -1;
         for (const HardRow& row : rows)
             if (row.by[i]) most = std::max(most, row.by[i]->over_bound());
-        if (most >= 0) fmt::print(" {} {:.2f}", kImplementations[i].heading, most);
+        if (most >= 0) fmt::print(" {} {:.2f}", implementations()[i].heading, most);
     }
     fmt::print("\n");
 }
@@ -178,14 +188,14 @@ Json hard_json(const HardBound& b) {
 Json hard_json(const HardRow& row) {
     Json o{{"case", row.hard->name}, {"why", row.hard->why}};
     if (row.reference) o["reference"] = {{"sky_px", row.reference->error_px}, {"bound_px", row.reference->bound_px}};
-    for (std::size_t i = 0; i < kImplementations.size(); ++i) {
+    for (std::size_t i = 0; i < implementations().size(); ++i) {
         if (!row.by[i]) continue;
         const Measured& m = *row.by[i];
-        o[kImplementations[i].name] = {{"bound", hard_json(m.bound)},
-                                       {"error", hard_json(m.error)},
-                                       {"fate_errors", m.fate_errors},
-                                       {"not_finite", m.not_finite},
-                                       {"error_over_bound", m.over_bound()}};
+        o[implementations()[i].name] = {{"bound", hard_json(m.bound)},
+                                        {"error", hard_json(m.error)},
+                                        {"fate_errors", m.fate_errors},
+                                        {"not_finite", m.not_finite},
+                                        {"error_over_bound", m.over_bound()}};
     }
     o["within"] = row.within();
     return o;
@@ -198,8 +208,8 @@ Result<int> run_hard(const HardBench& options) {
     if (rows.empty()) return bad_input(fmt::format("no hard case has \"{}\" in its name", options.only));
     TRY(read, read_reference(options.reference, rows));
     TRY(on_cpu, measure_on_cpu(rows));
-    for (std::size_t at = 0; at < kImplementations.size(); ++at) {
-        if (kImplementations[at].context == nullptr) continue;
+    for (std::size_t at = 0; at < implementations().size(); ++at) {
+        if (implementations()[at].context.empty()) continue;
         TRY(on_gpu, measure_on_gpu(rows, at));
     }
     print_hard(rows);
