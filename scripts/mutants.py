@@ -43,6 +43,8 @@ MUTANTS = [Mutant(*row) for row in [
      "return thread_group() < tile_list.tiles;", "return thread_group() + 1u < tile_list.tiles;", ("gpu_tests", "compute: whatever*")),
     ("patch-tile", "pixels with more rays, by compute, drawn as the next tile's are", "shaders/stage/patch.glsl",
      "patch_listed[number]) / TILE_SIDE", "patch_listed[number] + 8.0) / TILE_SIDE", ("gpu_tests", "compute: pixels*")),
+    ("lattice-column", "a lattice's tiles, by compute, side by side where they lie apart", "shaders/stage/lattice.comp",
+     "(lattice_drawn_spread - 1) * TILE_SIDE", "(lattice_drawn_spread - 2) * TILE_SIDE", ("gpu_tests", "compute: interpolated*")),
     ("glow-sense", "a body's motion the wrong way in its shift", "shaders/planar/glow.glsl",
      "float frequency = 1.0 + dot(back, w);", "float frequency = 1.0 - dot(back, w);", GLOW),
     ("glow-drag", "a body about a rotating hole without dragging of what measures it", "shaders/mino/glow.glsl",

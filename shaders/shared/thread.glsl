@@ -27,9 +27,9 @@ ivec2 thread_tile() {
     return ivec2(int(tile & 65535u), int(tile >> 16));
 }
 #else
-uniform int tile_row;   // of tiles, counted from below: the first that is drawn
+uniform int thread_row;   // of tiles, counted from below: the first that is drawn
 
-ivec2 thread_tile() { return ivec2(gl_WorkGroupID.xy) + ivec2(0, tile_row); }
+ivec2 thread_tile() { return ivec2(gl_WorkGroupID.xy) + ivec2(0, thread_row); }
 #endif
 
 ivec2 thread_pixel() {

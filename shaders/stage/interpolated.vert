@@ -10,7 +10,7 @@
 #include "stage/tile_kind.glsl"
 #include "stage/tile_point.glsl"
 
-uniform highp sampler2D tile_texture;   // stage/tiles.frag
+uniform highp sampler2D tile_texture;   // stage/tile_texel.glsl
 flat out highp vec3 tile_at;            // the tile's middle, px from the picture's lower left; 1 if its rays escape
 flat out highp vec4 tile_detail;        // log2 of the footprint on the sky's texture, texels: of 1, x, y, x y
 flat out highp vec3 tile_sky_00;        // TileSky

@@ -30,14 +30,23 @@ vec4 with_way(vec4 light) { return light; }
 vec4 with_way(vec4 light) { return vec4(light.rgb, LATTICE_WAY * light.a); }
 #endif
 
+#ifdef BY_COMPUTE
+#define LATTICE_BOTH GROUP_TOGETHER   // rays about a rotating hole ask their neighbours, for which all of a group wait
+#else
+#define LATTICE_BOTH false   // a block of 2 x 2 fragments lies in one cell
+#endif
+
 vec4 pixel_light(vec2 pixel) {
     LatticeLight matter = lattice_light(picture_fragment(pixel) * sampling_px());
 #ifdef LATTICE_TOLD
     vec4 light = light_behind(matter, pixel);
 #else
-    vec4 light;
-    if (matter.known) light = light_behind(matter, pixel);
-    else light = ray_light(pixel);
+    vec4 light = vec4(0.0);
+    if (LATTICE_BOTH || !matter.known) light = ray_light(pixel);
+    if (LATTICE_BOTH || matter.known) {
+        vec4 told = light_behind(matter, pixel);
+        light = matter.known ? told : light;
+    }
 #endif
     return with_way(light);
 }

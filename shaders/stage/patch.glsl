@@ -2,10 +2,14 @@
 #include "shared/thread.glsl"
 #include "stage/patch_place.glsl"
 #include "stage/pixel.glsl"
+#ifdef MATTER_LATTICE
+#include "stage/lattice_tells.glsl"
+#else
 #ifdef DRAWS_TILES
 #include "stage/tile_drawn.glsl"
 
-uniform highp sampler2D tile_texture;   // stage/tiles.frag
+uniform highp sampler2D tile_texture;   // stage/tile_texel.glsl
+#endif
 #endif
 
 layout(std430, binding = 1) readonly buffer PatchList { vec2 patch_listed[]; };   // column, and row from below, of the lowest left pixel of each
@@ -18,10 +22,14 @@ ivec2 patch_tile(int number) { return ivec2(patch_listed[number]) / TILE_SIDE; }
 // Does this stage draw it? A tile's program draws those that are in the tile.
 bool patch_drawn(int number) {
     if (number >= patch_count) return false;
+#ifdef MATTER_LATTICE
+    return lattice_draws(patch_listed[number], patch_listed[number] + patch_pixels());
+#else
 #ifdef DRAWS_TILES
     return tile_drawn(texelFetch(tile_texture, patch_tile(number), 0));
 #else
     return true;
+#endif
 #endif
 }
 

@@ -3,7 +3,7 @@
 #include "stage/tile_kind.glsl"
 #include "stage/tile_point.glsl"
 
-uniform highp sampler2D tile_texture;   // stage/tiles.frag
+uniform highp sampler2D tile_texture;   // stage/tile_texel.glsl
 #ifdef TILES_WITH_BODIES
 flat out highp vec4 tile_set;           // of the bodies that it may show
 #endif

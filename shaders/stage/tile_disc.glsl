@@ -4,7 +4,7 @@
 #include "stage/tile_kind.glsl"
 #include "stage/tile_rays.glsl"
 
-uniform highp sampler2D places_texture;   // stage/rays.frag
+uniform highp sampler2D places_texture;   // stage/corner_ray.glsl
 #ifdef TILES_OF_FULL_DISC
 #ifdef EFFECT_DISC_IMAGE
 uniform sampler2D disc_texture;

@@ -1,4 +1,4 @@
-// Is a tile of the picture, by its texel (stage/tiles.frag), one of those that a stage draws?
+// Is a tile of the picture, by its texel (stage/tile_texel.glsl), one of those that a stage draws?
 #include "stage/tile_kind.glsl"
 
 float tile_most(vec4 set) { return max(max(set.x, set.y), max(set.z, set.w)); }

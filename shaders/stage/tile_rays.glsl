@@ -1,4 +1,4 @@
-// The rays through the corners of the picture's tiles, and where rays are interpolated through their middles (stage/rays.frag): a row of texels
+// The rays through the corners of the picture's tiles, and where rays are interpolated through their middles (stage/corner_ray.glsl): a row of texels
 // has RAYS_A_TILE of them for each tile, corner first. Of the tiles that surround the picture there are some too.
 #include "generated/tiles"
 

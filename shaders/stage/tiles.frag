@@ -1,54 +1,6 @@
-// What the picture's tiles may show, a texel a tile: the set of bodies (core/bits.glsl), or neither body nor disc. Bodies are looked for in larger
-// tiles first, whose texels are sets alone (tile_scale).
-#include "core/view.glsl"
-#include "generated/tiles"
-#include "shared/frame.glsl"
-#include "stage/tile_kind.glsl"
-#ifdef TILES_OF_BODIES
-#include "core/tile_bodies.glsl"
-#include "path/tile"
-
-uniform highp sampler2D tile_texture;   // of the first pass
-
-TileBodies tile_among() {
-    ivec2 first = ivec2(gl_FragCoord.xy) / FIRST_TILES;
-    TileBodies among = tile_bodies_of(texelFetch(tile_texture, first, 0));
-    if (tile_scale > 1) among = tile_whole_way(TILE_ALL);
-    return among;
-}
-#endif
-#ifdef TILES_OF_DISC
-#include "stage/tile_disc.glsl"
-#endif
-#ifdef TILES_INTERPOLATED
-#include "stage/tile_fit.glsl"
-#endif
+// What the picture's tiles may show, a texel a tile.
+#include "stage/tile_texel.glsl"
 
 out vec4 colour;
 
-void main() {
-    vec4 bodies = vec4(0.0);
-    bool sky = true;
-#ifdef TILES_OF_BODIES
-    vec4 set = texel_of(tile_bodies(picture_place(gl_FragCoord.xy * tile_side()), tile_among()));
-    bodies = set;
-    sky = max(max(bodies.x, bodies.y), max(bodies.z, bodies.w)) == 0.0;
-#endif
-#ifdef TILES_OF_DISC
-    float disc = tile_of_disc(ivec2(gl_FragCoord.xy));
-    if (sky && disc <= TILE_FULL) bodies = vec4(disc);
-    sky = sky && disc == TILE_SKY;
-#else
-#ifdef EFFECT_DISC
-    sky = false;
-#endif
-#endif
-    float kind = TILE_SKY;
-#ifdef TILES_INTERPOLATED
-    kind = tile_interpolates(ivec2(gl_FragCoord.xy)) ? TILE_INTERPOLATED : TILE_SKY;
-#endif
-    colour = sky ? vec4(kind) : bodies;
-#ifdef TILES_OF_BODIES
-    colour = tile_scale > 1 ? set : colour;
-#endif
-}
+void main() { colour = tile_texel(ivec2(gl_FragCoord.xy)); }

@@ -5,7 +5,7 @@
 #include "stage/patch.glsl"
 #else
 #ifdef TILES_WITH_BODIES
-uniform highp sampler2D tile_texture;   // stage/tiles.frag
+uniform highp sampler2D tile_texture;   // stage/tile_texel.glsl
 #endif
 #endif
 

@@ -36,7 +36,7 @@ void finish_dispatch() {
 }
 
 void dispatch(const Program& program, int width, int side, int first, int last) {
-    set_integer(program, "tile_row", first / side);
+    set_integer(program, "thread_row", first / side);
     const int across = (width + side - 1) / side, up = (last + side - 1) / side - first / side;
     glDispatchCompute(static_cast<GLuint>(across), static_cast<GLuint>(up), 1);
     finish_dispatch();
@@ -57,6 +57,13 @@ constexpr GLuint kPatchList = 1;  // shaders/stage/patch.glsl
 // llvmpipe draws a block of 2 x 2 threads as one vector: what one of them stores the others see at once. With barrier() it keeps what lives in
 // loops in memory, which costs 1.4 times as much.
 bool draws_in_step() { return names_llvmpipe(info().renderer); }
+
+// Of a driver's log, which may begin with warnings; all of it where no line tells of an error.
+std::string first_error(const std::string& log) {
+    const std::size_t error = log.find("error");
+    const std::size_t begin = error == std::string::npos ? 0 : log.rfind('\n', error) + 1;  // npos + 1: 0
+    return log.substr(begin, log.find('\n', begin) - begin);
+}
 
 }  // namespace
 
@@ -91,7 +98,8 @@ ComputeProgram make_compute_program(const std::string& text, Stored stored) {
     const std::string source = std::string("#version 430 core\n#define PICTURE_FORMAT ") +
                                kFormats[static_cast<int>(stored.format)] + "\n#define PICTURE_ADDS " +
                                (stored.adds ? "true" : "false") + "\n#define GROUP_WAITS " +
-                               (draws_in_step() ? "memoryBarrierShared" : "barrier") + "\n" + text;
+                               (draws_in_step() ? "memoryBarrierShared" : "barrier") + "\n#define GROUP_TOGETHER " +
+                               (draws_in_step() ? "false" : "true") + "\n" + text;
     const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
     const char* lines = source.c_str();
     glShaderSource(shader, 1, &lines, nullptr);
@@ -105,12 +113,13 @@ ComputeProgram make_compute_program(const std::string& text, Stored stored) {
     glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
     if (ok == GL_TRUE) return {std::move(program), {}};
     log += log_of(program.id(), glGetProgramiv, glGetProgramInfoLog);
-    return {Program(), "the driver refuses a compute shader: " + explained_log(log, source)};
+    return {Program(), "the driver refuses a compute shader: " + first_error(explained_log(log, source))};
 }
 
-void TileList::find(const Program& program, int first, int last) {
-    if (room_ < last - first) {
-        room_ = last - first;
+void TileList::find(const Program& program, int across, int first, int last) {
+    const int count = across * (last - first);
+    if (room_ < count) {
+        room_ = count;
         GLuint made = 0;
         glGenBuffers(1, &made);
         buffer_ = Buffer(made);
@@ -121,9 +130,10 @@ void TileList::find(const Program& program, int first, int last) {
     }
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer_.id());
     glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof kNoTiles, kNoTiles);
-    set_integer(program, "tile_from", first);
-    set_integer(program, "tile_to", last);
-    glDispatchCompute(static_cast<GLuint>((last - first + kListThreads - 1) / kListThreads), 1, 1);
+    set_integer(program, "tiles_across", across);
+    set_integer(program, "tile_from", first * across);
+    set_integer(program, "tile_to", last * across);
+    glDispatchCompute(static_cast<GLuint>((count + kListThreads - 1) / kListThreads), 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     check("list tiles");
 }

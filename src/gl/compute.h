@@ -29,22 +29,22 @@ struct Stored {
 };
 inline bool adds(const Layer& layer) { return layer.share < 1.0 && !layer.replaces; }
 
-// A program; where the driver refuses it one without a name, and its log, explained.
+// A program; where the driver refuses it one without a name, and a line that says what it refuses.
 struct ComputeProgram {
     Program program;
     std::string refusal;
 };
 // text: without #version. PICTURE_FORMAT and PICTURE_ADDS stand for how it stores a picture, GROUP_WAITS for what lets the threads of a block of
-// 2 x 2 see what the others have stored.
+// 2 x 2 see what the others have stored, GROUP_TOGETHER for whether all of a group must come to it.
 ComputeProgram make_compute_program(const std::string& text, Stored stored);
 
 // Tiles of a picture, found by one compute shader and drawn by the next, a group each: software drivers run all of a text for groups that return
 // at once too. Column and row are below 65536.
 class TileList {
 public:
-    // Of a picture's tiles, by rows, from number `first` up to but not including `last`, those that `program` lists
+    // Of a picture's tiles, `across` in a row, in the rows from `first` up to but not including `last`, those that `program` lists
     // (shaders/stage/tile_list.comp).
-    void find(const Program& program, int first, int last);
+    void find(const Program& program, int across, int first, int last);
     // Groups of a program for them.
     void dispatch(const Program& program) const;
 

@@ -10,7 +10,7 @@ gl::Program ComputePicture::made(const std::string& text, gl::Stored stored,
     if (made.program)
         name_inputs(made.program);
     else
-        refused_ = made.refusal.substr(0, made.refusal.find('\n'));
+        refused_ = made.refusal;
     return std::move(made.program);
 }
 
@@ -23,12 +23,13 @@ const gl::Program* ComputePicture::program(const Key& key, gl::Stored stored, co
     return &found->second;
 }
 
-const gl::TileList* ComputePicture::tiles(Stage stage, int across, int first, int last,
-                                          const std::function<void(const gl::Program&)>& name_inputs) {
+const gl::TileList* ComputePicture::tiles(Stage stage, int across, int first, int last, const Inputs& name_inputs,
+                                          const Inputs& tell) {
     const auto [found, is_new] = lists_.try_emplace(stage);
     if (is_new) found->second = made(tile_list_source(stage), {}, name_inputs);
     if (!found->second) return nullptr;
-    list_.find(found->second, first * across, last * across);
+    tell(found->second);
+    list_.find(found->second, across, first, last);
     return &list_;
 }
 

@@ -31,10 +31,11 @@ public:
     const gl::Program* program(const Key& key, gl::Stored stored, const std::function<std::string()>& text,
                                const std::function<void(const gl::Program&)>& name_inputs);
 
-    // The tiles that this stage draws, of a picture of `across` tiles a row, in the rows from `first` up to but not including `last`. Its tile texture
-    // must be bound. nullptr: the driver refuses to list them.
-    const gl::TileList* tiles(Stage stage, int across, int first, int last,
-                              const std::function<void(const gl::Program&)>& name_inputs);
+    // The tiles that this stage draws, of a picture, or lattice, of `across` tiles a row, in the rows from `first` up to but not including `last`. What
+    // tells them must be bound, and set by `tell`. nullptr: the driver refuses to list them.
+    using Inputs = std::function<void(const gl::Program&)>;
+    const gl::TileList* tiles(Stage stage, int across, int first, int last, const Inputs& name_inputs,
+                              const Inputs& tell);
 
     // Do compute shaders draw, as far as is known?
     bool draws() const { return wanted_ && refusal().empty(); }

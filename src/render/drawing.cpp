@@ -121,12 +121,42 @@ void Renderer::draw_rows_of(const Pass& pass, const Drawing& drawing, unsigned p
 void Renderer::find_before(const Pass& pass, int first, int last) {
     if (pass.stage == Stage::kLattice) {
         if (first == 0) lattice_.begin();
-        lattice_.extend({program(Stage::kLattice, pass.output), program(Stage::kLatticeTold, pass.output),
+        const auto compute = [&](const LightLattice::Tell& tell, const gl::Target& nodes, int from, int to) {
+            return compute_nodes(pass.output, tell, nodes, from, to);
+        };
+        const auto traced = [&]() -> const gl::Program& { return program(Stage::kLattice, pass.output); };
+        lattice_.extend({compute, traced, program(Stage::kLatticeTold, pass.output),
                          program(Stage::kLatticeCells, pass.output), empty_},
                         last);
     } else if (first == 0 && !draws_lattice(pass.stage)) {
-        picture_tiles_.find(pass.stage, program(pass.stage, pass.output), empty_);
+        find_tiles(pass.stage, pass.output);
     }
+}
+
+void Renderer::find_tiles(Stage stage, Output output) {
+    const gl::Program* computed = compute_program(stage, output, {});
+    const gl::Program& built = computed != nullptr ? *computed : program(stage, output);
+    picture_tiles_.find(stage, built, [&](const gl::Target& to) {
+        if (computed != nullptr)
+            gl::compute_rows(built, to, kTileSide, 0, to.height);
+        else
+            gl::draw_fullscreen(built, empty_, to.framebuffer.id(), to.width, to.height);
+    });
+}
+
+// Those of a lattice's nodes that are traced. false: they are left to fragments.
+bool Renderer::compute_nodes(Output output, const LightLattice::Tell& tell, const gl::Target& nodes, int first,
+                             int last) {
+    const gl::Program* built = compute_program(Stage::kLattice, output, {});
+    const gl::TileList* list = built == nullptr
+                                   ? nullptr
+                                   : computed_.tiles(Stage::kLattice, tiles_along(nodes.width), first / kTileSide,
+                                                     tiles_along(last), name_inputs, tell);
+    if (list == nullptr) return false;
+    tell(*built);
+    gl::compute_tiles(*built, {nodes.colours.front().id(), gl::Format::kRgba32F, nodes.width, nodes.height}, *list,
+                      first, last);
+    return true;
 }
 
 // samples x samples rays of each pixel: at_once of them in a draw, so that a weak card does not take long for it.

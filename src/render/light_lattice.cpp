@@ -63,7 +63,7 @@ void LightLattice::extend(std::size_t number, const Programs& programs, int last
     const int from = drawn(level.rows), to = drawn(last);
     if (number > 0) extend(number - 1, programs, std::min((to - 1) * side, height_));
     bind(number > 0 ? levels_[number - 1] : none_);
-    const auto draw_nodes = [&](const gl::Program& program) {
+    const Tell tell_nodes = [&](const gl::Program& program) {
         gl::set_integer(program, "lattice_side", number > 0 ? kSides[number - 1] : 0);
         gl::set_integer(program, "lattice_texels", number > 0 ? levels_[number - 1].texels : 1);
         gl::set_integer(program, "lattice_spread", number > 0 ? levels_[number - 1].spread : 1);
@@ -73,10 +73,13 @@ void LightLattice::extend(std::size_t number, const Programs& programs, int last
         gl::set_integer(program, "medium_longer", longer_ ? 1 : 0);
         gl::set_integer(program, "lattice_across", level.nodes.width);
         gl::set_integer(program, "lattice_up", up);
+    };
+    const auto draw_nodes = [&](const gl::Program& program) {
+        tell_nodes(program);
         gl::draw_tiles(program, programs.empty, level.nodes.framebuffer.id(), level.nodes.width, up, kTileSide, from,
                        to);
     };
-    draw_nodes(programs.traced);
+    if (!programs.compute(tell_nodes, level.nodes, from, to)) draw_nodes(programs.traced());
     if (number > 0) draw_nodes(programs.told);
     // The cells of these rows: those above their nodes are not there yet.
     gl::bind_texture_2d(first_, level.nodes.colours.front());

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <functional>
 
 #include "gl/gl.h"
 #include "shaderlib/passes.h"
@@ -24,9 +25,13 @@ public:
     // Before the picture is drawn.
     void begin();
 
-    // Programs of the stages kLattice, kLatticeTold and kLatticeCells.
+    // Programs of the stages kLattice, kLatticeTold and kLatticeCells. compute: kLattice by compute, of these rows of a target, by programs that `tell`
+    // is called for; false where it cannot.
+    using Tell = std::function<void(const gl::Program&)>;
     struct Programs {
-        const gl::Program &traced, &told, &cells;
+        std::function<bool(const Tell& tell, const gl::Target& nodes, int first, int last)> compute;
+        std::function<const gl::Program&()> traced;
+        const gl::Program &told, &cells;
         const gl::VertexArray& empty;
     };
     // So that it tells the picture's rows before `last`; after bind(). Cost: a ray in some thirty pixels where the light is smooth, one in eight

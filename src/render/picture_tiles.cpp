@@ -27,10 +27,7 @@ void PictureTiles::resize(const std::vector<Pass>& passes, int width, int height
     resize_target(none_, large, 3, 3, 1);
 }
 
-void PictureTiles::find(Stage stage, const gl::Program& program, const gl::VertexArray& empty) {
-    const auto draw = [&](const gl::Target& target) {
-        gl::draw_fullscreen(program, empty, target.framebuffer.id(), target.width, target.height);
-    };
+void PictureTiles::find(Stage stage, const gl::Program& program, const std::function<void(const gl::Target&)>& draw) {
     if (stage == Stage::kRays) return draw(rays_);
     if (large_.width > 0) {
         gl::bind_texture_2d(first_, none_.colours.front());

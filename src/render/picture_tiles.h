@@ -1,5 +1,6 @@
 // What the picture's tiles may show, as textures: the passes that draw it in tiles (shaderlib/passes.h) read them.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "gl/gl.h"
@@ -12,8 +13,9 @@ public:
     // For a picture of this size by these passes; frees what they do not need. Binds textures of its own to unit 0.
     void resize(const std::vector<Pass>& passes, int width, int height, const EffectSet& effects);
 
-    // Draws stage kRays, or one that finds_tiles(), after bind(): bodies in larger tiles first, then in tiles of these.
-    void find(Stage stage, const gl::Program& program, const gl::VertexArray& empty);
+    // Draws stage kRays, or one that finds_tiles(), after bind(): bodies in larger tiles first, then in tiles of these. draw: all of a target by the
+    // program.
+    void find(Stage stage, const gl::Program& program, const std::function<void(const gl::Target&)>& draw);
 
     // To units from first on, in the order of kSamplers.
     static constexpr const char* kSamplers[] = {"tile_texture", "ray_texture", "places_texture"};

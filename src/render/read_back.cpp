@@ -78,8 +78,7 @@ Image<float> Renderer::interpolated_rays() {
     gl::clear(target);
     picture_tiles_.resize(list, w, h, tables_.effects());
     bind_inputs();
-    for (const Stage stage : {Stage::kRays, Stage::kTilesInterpolated})
-        picture_tiles_.find(stage, program(stage, Output::kLinear), empty_);
+    for (const Stage stage : {Stage::kRays, Stage::kTilesInterpolated}) find_tiles(stage, Output::kLinear);
     gl::draw_tiles(program(Stage::kInterpolatedRays, Output::kLinear), empty_, target.framebuffer.id(), w, h, kTileSide,
                    0, h);
     for (int y = 0; y < h; ++y) gl::read_rgba32f_row(target, 0, h - 1 - y, image.at(0, y));

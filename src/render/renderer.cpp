@@ -120,13 +120,14 @@ bool Renderer::compute_picture(const Pass& pass, unsigned picture, int first, in
     const gl::Program* built =
         image ? compute_program(pass.stage, pass.output, {image->format, gl::adds(layer)}) : nullptr;
     if (built == nullptr) return false;
-    if (pass.output == Output::kLayers) gl::set_integer(*built, "layer_shown", static_cast<int>(layer_));
-    if (!is_in_tiles(pass.stage)) {
+    tell_picture(*built, pass.output);
+    if (!lists_tiles(pass.stage)) {
         gl::compute_rows(*built, *image, kTileSide, first, last, layer);
         return true;
     }
     const gl::TileList* list =
-        computed_.tiles(pass.stage, tiles_along(image->width), first / kTileSide, tiles_along(last), name_inputs);
+        computed_.tiles(pass.stage, tiles_along(image->width), first / kTileSide, tiles_along(last), name_inputs,
+                        [this](const gl::Program& lists) { lattice_.tell(lists); });
     if (list != nullptr) gl::compute_tiles(*built, *image, *list, first, last, layer);
     return list != nullptr;
 }
@@ -190,10 +191,15 @@ bool Renderer::own_steps() const {
     return medium && model_of(*medium).traits.own_steps;
 }
 
+// What a program of the picture is told before it draws.
+void Renderer::tell_picture(const gl::Program& built, Output output) const {
+    lattice_.tell(built);
+    if (output == Output::kLayers) gl::set_integer(built, "layer_shown", static_cast<int>(layer_));
+}
+
 const gl::Program& Renderer::picture_program(const Pass& pass) {
     const gl::Program& built = program(pass.stage, pass.output);
-    lattice_.tell(built);
-    if (pass.output == Output::kLayers) gl::set_integer(built, "layer_shown", static_cast<int>(layer_));
+    tell_picture(built, pass.output);
     return built;
 }
 
@@ -202,7 +208,7 @@ bool Renderer::compute_patches(const Pass& pass, const gl::VertexList& pixels, c
     const auto image = computed_.wants_patches(pass.stage) ? gl::stored_image(rays.framebuffer.id()) : std::nullopt;
     const gl::Program* built = image ? compute_program(pass.stage, pass.output, {image->format, false}) : nullptr;
     if (built == nullptr) return false;
-    if (pass.output == Output::kLayers) gl::set_integer(*built, "layer_shown", static_cast<int>(layer_));
+    tell_picture(*built, pass.output);
     gl::compute_patches(*built, *image, pixels, kTileSide, patch_rows(side, pixels.count));
     return true;
 }

@@ -171,6 +171,9 @@ private:
     const gl::Program* compute_program(Stage stage, Output output, gl::Stored stored);
     bool compute_picture(const Pass& pass, unsigned picture, int first, int last, const gl::Layer& layer);
     bool compute_patches(const Pass& pass, const gl::VertexList& pixels, const gl::Target& rays, int side);
+    bool compute_nodes(Output output, const LightLattice::Tell& tell, const gl::Target& nodes, int first, int last);
+    void tell_picture(const gl::Program& built, Output output) const;
+    void find_tiles(Stage stage, Output output);
     bool is_compiled(Stage stage, Output output);  // begins it if it was not
     std::vector<Pass> passes_with(Tiles most, Output output) const;
     std::vector<Pass> picture_passes(Output output) const;

@@ -299,18 +299,21 @@ std::string compute_source(Stage stage, const EffectSet& effects, Output output,
                            std::string_view metric, const BodyText& bodies, bool patches) {
     std::vector<std::string> defines = stage_defines(stage, effects, output, method);
     defines.emplace_back("BY_COMPUTE");
-    if (is_in_tiles(stage)) defines.emplace_back("DRAWS_TILES");
+    if (lists_tiles(stage)) defines.emplace_back("DRAWS_TILES");
     if (patches && draws_picture(stage) && effects.contains(Effect::kRefine)) defines.emplace_back("COMPUTES_PATCHES");
     const char* root = stage == Stage::kRayData   ? "stage/raydata.comp"
                        : stage == Stage::kRayList ? "stage/ray_list.comp"
+                       : stage == Stage::kRays    ? "stage/rays.comp"
+                       : stage == Stage::kLattice ? "stage/lattice.comp"
+                       : finds_tiles(stage)       ? "stage/tiles.comp"
                                                   : "stage/trace.comp";
     return texts_of({root}, stage, std::move(defines), effects, method, metric, bodies).front();
 }
 
 std::string tile_list_source(Stage stage) {
-    return texts_of({"stage/tile_list.comp"}, stage, stage_defines(stage, {}, Output::kLinear, {}), {}, {},
-                    "schwarzschild", {})
-        .front();
+    std::vector<std::string> defines = stage_defines(stage, {}, Output::kLinear, {});
+    if (draws_lattice(stage)) defines.emplace_back("DRAWS_LATTICE");
+    return texts_of({"stage/tile_list.comp"}, stage, std::move(defines), {}, {}, "schwarzschild", {}).front();
 }
 
 }  // namespace nullscope

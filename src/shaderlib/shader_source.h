@@ -109,10 +109,16 @@ struct ShaderSource {
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
                            std::string_view metric = "schwarzschild", const BodyText& bodies = {});
 
-// Can a stage be drawn by compute? Not where a tile tells its fragments more than which bodies it may show.
+// Can a stage be drawn by compute? What follows rays can, but where a tile tells its fragments more than which bodies it may show.
 constexpr bool computes(Stage stage) {
     return stage == Stage::kPicture || stage == Stage::kSkyTiles || stage == Stage::kDiscTiles ||
-           stage == Stage::kBodyTiles || stage == Stage::kRayData || stage == Stage::kRayList;
+           stage == Stage::kBodyTiles || is_of_matter(stage) || stage == Stage::kRays || finds_tiles(stage) ||
+           stage == Stage::kLattice || stage == Stage::kRayData || stage == Stage::kRayList;
+}
+
+// Are its tiles, of the picture or of a lattice, listed first?
+constexpr bool lists_tiles(Stage stage) {
+    return computes(stage) && ((draws_picture(stage) && !is_whole(stage)) || stage == Stage::kLattice);
 }
 // What such a stage draws as a compute shader of the same functions, without what it begins with (gl/compute.h). patches: also pixels that are
 // drawn again with more rays, where the effects have them.

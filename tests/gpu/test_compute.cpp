@@ -146,6 +146,47 @@ TEST_CASE("compute: whatever is drawn of a scene is the same by both stages" * t
     }
 }
 
+// Lattices of matter and interpolated rays: at rest and in motion, in one go and in pieces; the rays through the corners of tiles too.
+TEST_CASE("compute: interpolated light and rays are the same by both stages" * test::costly()) {
+    auto session = test::open_gpu("egl");
+    REQUIRE(session);
+    if (!compares()) return;
+    Renderer& renderer = *session->renderer;
+    renderer.limit_tiles(Tiles::kInterpolated);
+    test::Selection selection(3);
+    for (const char* name : {"soft-disc", "kerr", "m87-synchrotron", "hot-flow", "swarm"}) {
+        if (!selection.takes_next()) continue;
+        Scene scene = thumbnail(name);
+        scene.picture.refine = false;
+        if (!scene.medium && scene.bodies.empty())
+            scene.camera.width *= 5, scene.camera.height *= 5;  // smooth within a tile
+        const int width = scene.camera.width, height = scene.camera.height;
+        REQUIRE(renderer.prepare(scene));
+        const bool differences_taken = takes_differences(effect_set(required_effects(scene)));
+        for (const bool draft : {false, true}) {
+            renderer.draft(draft);
+            renderer.compute(true);  // first: textures of tiles and nodes hold what was drawn before
+            const int before = renderer.computed().drawn();
+            const Image<float> by_compute = renderer.picture();
+            CHECK(renderer.computed().drawn() >= before + 3);  // tiles or nodes; the picture in two kinds of tiles
+            CHECK_MESSAGE(renderer.computed().refusal().empty(), renderer.computed().refusal());
+            const Image<unsigned char> in_pieces = test::drawn_in_pieces(renderer, width, height, {0, 8, 24, height});
+            CHECK(in_pieces.data == renderer.picture8().data);
+            if (scene.medium || !scene.bodies.empty()) {
+                renderer.compute(false);
+            } else {
+                const Image<float> rays = renderer.interpolated_rays();
+                renderer.compute(false);
+                CHECK(rays.data == renderer.interpolated_rays().data);
+                CHECK(std::ranges::count(rays.data, 1.0f) >
+                      width * height / 20);  // their last numbers: rays to the sky
+            }
+            check_same(differences(renderer.picture(), by_compute), differences_taken, name);
+        }
+        renderer.draft(false);
+    }
+}
+
 // In tiles of each kind, and without; of 4, 16 and 36 rays.
 TEST_CASE("compute: pixels with more rays are the same by both stages") {
     auto session = test::open_gpu("egl");
@@ -153,11 +194,12 @@ TEST_CASE("compute: pixels with more rays are the same by both stages") {
     if (!compares()) return;
     Renderer& renderer = *session->renderer;
     test::Selection selection(3);  // programs of the second take 10 s to compile
-    for (const char* name : {"first-light", "kerr-planet", "saturn"}) {
+    for (const char* name : {"first-light", "kerr-planet", "saturn", "soft-disc"}) {
         if (!selection.takes_next()) continue;
         const Scene scene = thumbnail(name);
         REQUIRE(renderer.prepare(scene));
-        for (const Tiles tiles : {Tiles::kNone, Tiles::kTraced}) {
+        const Tiles most = scene.medium ? Tiles::kInterpolated : Tiles::kTraced;  // tiles by a lattice
+        for (const Tiles tiles : {Tiles::kNone, most}) {
             renderer.limit_tiles(tiles);
             renderer.compute(true, false);
             const int first = renderer.computed().drawn();
@@ -208,13 +250,16 @@ TEST_CASE("compute: a text that the driver refuses is said in a line") {
     computed.want(true, false);
     const ComputePicture::Key key(Stage::kPicture, Output::kLinear, {}, {}, "", {});
     const auto none = [](const gl::Program&) {};
-    const auto refused = [] { return std::string("layout(local_size_x = 64) in;\nvoid main() { nothing(); }\n"); };
+    const auto refused = [] {
+        return std::string("layout(local_size_x = 64) in;\nvoid main() { float a; float b = a; nothing(); }\n");
+    };
     CHECK(computed.draws());
     CHECK(computed.program(key, {gl::Format::kRgba32F}, refused, none) == nullptr);
     CHECK(computed.program(key, {gl::Format::kRgba32F}, refused, none) == nullptr);
     CHECK_FALSE(computed.draws());
     CHECK(computed.refusal().find('\n') == std::string::npos);
     CHECK(computed.refusal().find("refuses") != std::string::npos);
+    CHECK(computed.refusal().find("nothing") != std::string::npos);  // not a warning that comes first
     CHECK_FALSE(computed.take_refusal().empty());
     CHECK(computed.take_refusal().empty());
 }

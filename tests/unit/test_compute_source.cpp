@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
 
 #include "plan/effects.h"
@@ -27,15 +29,42 @@ Texts texts_of(Stage stage, const Scene& scene, Output output) {
             compute_source(stage, effects, output, {}, scene.spacetime.metric, bodies)};
 }
 
+// Those of every picture, and of this scene's, in tiles of each kind.
+std::set<Stage> computed_stages(const Scene& scene) {
+    std::set<Stage> stages(std::begin(kComputed), std::end(kComputed));
+    for (const Tiles tiles : {Tiles::kBodies, Tiles::kTraced, Tiles::kInterpolated})
+        for (const Pass& pass : passes(effect_set(required_effects(scene)), Output::kDisplay, tiles))
+            if (computes(pass.stage)) stages.insert(pass.stage);
+    return stages;
+}
+
 TEST_CASE("compute source: holds nothing that drivers refuse in a compute shader") {
+    std::set<Stage> seen;
     for (const SceneInfo& info : shipped_scenes()) {
         const Scene scene = *load_scene(info.name);
-        for (const Stage stage : kComputed) {
+        const std::set<Stage> stages = computed_stages(scene);
+        seen.insert(stages.begin(), stages.end());
+        for (const Stage stage : stages) {
             const std::string text = texts_of(stage, scene, Output::kDisplay).compute;
             for (const char* word : {"dFdx", "dFdy", "gl_FragCoord", "discard", "flat in", "#version"})
                 CHECK_MESSAGE(text.find(word) == std::string::npos, info.name, ": ", word);
             CHECK(text.find("layout(local_size_x = GROUP_THREADS) in;") != std::string::npos);
         }
+    }
+    for (const Stage stage : {Stage::kRays, Stage::kTiles, Stage::kTilesTraced, Stage::kTilesInterpolated,
+                              Stage::kLattice, Stage::kMatterTold, Stage::kMatterTraced})
+        CHECK(seen.contains(stage));
+}
+
+// A node that a coarser lattice tells traces no ray: its thread does not come to where others would wait.
+TEST_CASE("compute source: no thread of a lattice or of tiles waits for another") {
+    for (const SceneInfo& info : shipped_scenes()) {
+        const Scene scene = *load_scene(info.name);
+        for (const Stage stage : computed_stages(scene))
+            if (goes_before(stage))
+                CHECK_MESSAGE(
+                    texts_of(stage, scene, Output::kLinear).compute.find("GROUP_WAITS()") == std::string::npos,
+                    info.name);
     }
 }
 
