@@ -219,9 +219,9 @@ class ShaderText(TraceTest):
         outside = [row for row in reference if vectors.has_static_camera(row)]
         slopes = self.slopes(outside, vectors, scene)
         self.assertGreater(len(outside), 100)
-        for tracer in self.tracers():
+        for tracer, *stage in (*zip(self.tracers()), ("gl", "--stage", "compute")):
             worst, flipped, inside, delays = 0.0, 0, 0, 0
-            for row, exact in zip(self.trace(text, "--with", tracer, scene=scene), reference):
+            for row, exact in zip(self.trace(text, "--with", tracer, *stage, scene=scene), reference):
                 name = (vectors.file, tracer, exact["id"], exact["group"])
                 if exact["id"] not in slopes:   # on or inside the horizon: by the rain observer, whose rays all come from outside
                     self.assertEqual(number(exact["s"]), -1, name)
@@ -245,7 +245,7 @@ class ShaderText(TraceTest):
                         self.assertLessEqual(abs(number(row["delay"]) - late), allowed, name)
                         delays += 1
             self.assertEqual(delays > 0, vectors is not THROAT)
-            self.report(f"{vectors.file}, {tracer}: {len(slopes)} rays and {inside} on or inside the horizon: {worst:.3g} rad, {flipped} on the frontier")
+            self.report(f"{vectors.file}, {' '.join((tracer, *stage))}: {len(slopes)} rays and {inside} on or inside the horizon: {worst:.3g} rad, {flipped} on the frontier")
 
     def test_vectors(self):
         self.judge_vectors(HOLE)
