@@ -7,8 +7,6 @@
 #else
 #ifdef DRAWS_TILES
 #include "stage/tile_drawn.glsl"
-
-uniform highp sampler2D tile_texture;   // stage/tile_texel.glsl
 #endif
 #endif
 
@@ -26,7 +24,7 @@ bool patch_drawn(int number) {
     return lattice_draws(patch_listed[number], patch_listed[number] + patch_pixels());
 #else
 #ifdef DRAWS_TILES
-    return tile_drawn(texelFetch(tile_texture, patch_tile(number), 0));
+    return tile_drawn(tile_told(patch_tile(number)));
 #else
     return true;
 #endif

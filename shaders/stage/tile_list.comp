@@ -7,8 +7,6 @@
 #include "stage/lattice_tells.glsl"
 #else
 #include "stage/tile_drawn.glsl"
-
-uniform highp sampler2D tile_texture;   // stage/tile_texel.glsl
 #endif
 #endif
 
@@ -26,7 +24,7 @@ bool draws_tile(ivec2 tile) {
     vec2 low = float(TILE_SIDE) * vec2(tile);
     return lattice_draws(low, low + float(TILE_SIDE));
 #else
-    return tile_drawn(texelFetch(tile_texture, tile, 0));
+    return tile_drawn(tile_told(tile));
 #endif
 #endif
 }

@@ -3,10 +3,12 @@
 #include "stage/traced_pixel.glsl"
 #ifdef COMPUTES_PATCHES
 #include "stage/patch.glsl"
-#else
-#ifdef TILES_WITH_BODIES
-uniform highp sampler2D tile_texture;   // stage/tile_texel.glsl
 #endif
+#ifdef TILES_WITH_BODIES
+#include "stage/tile_drawn.glsl"
+#endif
+#ifdef TILES_OF_FULL_DISC
+#include "stage/tile_drawn.glsl"
 #endif
 
 layout(binding = 0, PICTURE_FORMAT) uniform image2D picture_image;
@@ -19,6 +21,16 @@ void put_pixel(ivec2 pixel, vec4 colour) {
     colour *= layer_share;
     if (PICTURE_ADDS) colour += imageLoad(picture_image, pixel);
     imageStore(picture_image, pixel, colour);
+}
+
+// What a tile tells its rays.
+void begin_tile(ivec2 tile) {
+#ifdef TILES_WITH_BODIES
+    tile_set = tile_told(tile);
+#endif
+#ifdef TILES_OF_FULL_DISC
+    tile_number = tile_crossing(tile_told(tile));
+#endif
 }
 
 #ifdef COMPUTES_PATCHES
@@ -42,9 +54,7 @@ void main() {
         tile = patch_tile(number);
         draws = patch_has_thread();
     }
-#ifdef TILES_WITH_BODIES
-    tile_set = texelFetch(tile_texture, tile, 0);
-#endif
+    begin_tile(tile);
     vec4 colour = traced_pixel();
     if (draws) put_pixel(thread_pixel(), colour);
 }
@@ -52,10 +62,8 @@ void main() {
 void main() {
 #ifdef DRAWS_TILES
     if (!thread_draws()) return;   // all of the group
-#ifdef TILES_WITH_BODIES
-    tile_set = texelFetch(tile_texture, thread_tile(), 0);
 #endif
-#endif
+    begin_tile(thread_tile());
     put_pixel(thread_pixel(), traced_pixel());
 }
 #endif

@@ -4,7 +4,11 @@
 #ifdef MATTER_LATTICE
 #include "stage/lattice_light.glsl"
 #else
+#ifdef TILES_OF_FULL_DISC
+#include "stage/full_disc_light.glsl"
+#else
 #include "stage/ray_light.glsl"
+#endif
 vec4 pixel_light(vec2 pixel) { return ray_light(pixel); }
 #endif
 #ifdef TILES_WITH_BODIES

@@ -130,7 +130,7 @@ constexpr StageFiles kStageFiles[] = {  // by Stage
     {kFullscreen, "stage/tiles.frag"},
     {kInterpolated, "stage/interpolated.frag"},
     {kTile, "stage/trace.frag"},
-    {kTile, "stage/full_disc.frag"},
+    {kTile, "stage/trace.frag"},
     {kTile, "stage/trace.frag"},
     {kTile, "stage/trace.frag"},
     {kInterpolated, "stage/interpolated_rays.frag"},

@@ -109,10 +109,9 @@ struct ShaderSource {
 ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output, const Method& method = {},
                            std::string_view metric = "schwarzschild", const BodyText& bodies = {});
 
-// Can a stage be drawn by compute? What follows rays can, but where a tile tells its fragments more than which bodies it may show.
+// Can a stage be drawn by compute? What follows rays can. Interpolated ones are a tile's vertex shader's.
 constexpr bool computes(Stage stage) {
-    return stage == Stage::kPicture || stage == Stage::kSkyTiles || stage == Stage::kDiscTiles ||
-           stage == Stage::kBodyTiles || is_of_matter(stage) || stage == Stage::kRays || finds_tiles(stage) ||
+    return (draws_picture(stage) && stage != Stage::kInterpolated) || stage == Stage::kRays || finds_tiles(stage) ||
            stage == Stage::kLattice || stage == Stage::kRayData || stage == Stage::kRayList;
 }
 
