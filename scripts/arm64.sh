@@ -27,19 +27,24 @@ for tool in mmdebstrap qemu-aarch64-static aarch64-linux-gnu-g++; do
 done
 mirror=${MIRROR:-http://deb.debian.org/debian}
 
-# unpack FOLDER PACKAGES OPTION...: a root of arm64 with these packages and what they need.
+# unpack FOLDER PACKAGES SOURCE...: a root of arm64 with these packages and what they need; they stay in its cache.
 unpack() {
     local root=$1 packages=$2
     shift 2
     rm -rf --one-file-system "$root"
-    mmdebstrap --variant=extract --architectures=arm64 --include="$packages" "$@" "$suite" "$root" "$mirror" >"$root.log" 2>&1 ||
+    mmdebstrap --variant=extract --skip=cleanup/apt/cache --architectures=arm64 --include="$packages" "$suite" "$root" "$@" >"$root.log" 2>&1 ||
         { tail -n 5 "$root.log" >&2; skip "the packages of arm64 cannot be had"; }
-    link_alternatives "$root"
+    mend_links "$root"
 }
 
-# No script of a package has run: what update-alternatives links.
-link_alternatives() {
+# Links that hold only in a system that runs, so that libz.so is not found and libz.a is; and those that update-alternatives makes, as no
+# script of a package has run.
+mend_links() {
     local libraries=$1/usr/lib/aarch64-linux-gnu name file
+    find "$1/usr/lib" "$1/lib" -type l -lname '/*' | while read -r name; do
+        file=$1$(readlink "$name")
+        [[ ! -e $file ]] || ln -sfnr "$file" "$name"
+    done
     for name in libblas.so libblas.so.3 liblapack.so liblapack.so.3; do
         for file in "$libraries"/*/"$name"; do [[ ! -e $file ]] || ln -sfn "${file#"$libraries/"}" "$libraries/$name"; done
     done
@@ -73,7 +78,7 @@ if [[ ! -e $folder/root.whole ]]; then
              "$repository/third_party/versions.md" | tr ' ' '\n' | grep -v -e '^$' -e python3-glad)
     packages=$(printf '%s,' $linked)libstdc++-12-dev,libegl1,libgl1,libgl1-mesa-dri,libosmesa6,fonts-dejavu-core
     say "a root of $suite"
-    unpack "$folder/root" "$packages" --skip=cleanup/apt/cache
+    unpack "$folder/root" "$packages" "$mirror"
     # Names libraries where they would lie in a system that runs.
     sed -i 's|/usr/lib/aarch64-linux-gnu/|${_IMPORT_PREFIX}/lib/aarch64-linux-gnu/|g' "$folder/root/usr/lib/aarch64-linux-gnu/cmake/Ceres/CeresTargets.cmake"
     know_packages
@@ -128,5 +133,18 @@ if wanted deb; then
         -D CPACK_DEBIAN_PACKAGE_ARCHITECTURE=arm64 -D "CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS=$libraries;$folder/root/lib/aarch64-linux-gnu" \
         >"$folder/package.log" 2>&1 || { tail -n 20 "$folder/package.log" >&2; exit 1; }
     rm -r "$folder/package/_CPack_Packages"
-    ls "$folder"/package/*.deb
+    package=$(ls "$folder"/package/*.deb)
+    dpkg-deb --field "$package" Package Version Architecture Depends
+    # Without -I: two of the overrides are of x86-64's programs alone, and lintian says that nothing needs them.
+    ! command -v lintian >/dev/null || lintian --allow-root --fail-on error,warning "$package"
+    # Where nothing is but what it asks for, as apt finds it.
+    (cd "$folder/package" && dpkg-scanpackages --arch arm64 . >Packages 2>/dev/null)
+    unpack "$folder/bare" nullscope "deb $mirror $suite main" "deb [trusted=yes] copy:$folder/package ./"
+    export QEMU_LD_PREFIX=$folder/bare
+    installed() { qemu-aarch64-static -L "$folder/bare" "$folder/bare/usr/bin/$1" "${@:2}"; }
+    installed nullscope --version
+    installed nullscope-viewer --version
+    installed nullscope capture earth --size 160x90 -o "$folder/bare.png"   # a scene, stars and an image of those that ship
+    rm -r "$folder/bare/var/cache/apt" "$folder/package/Packages"
+    say "${package#"$repository/"}"
 fi
