@@ -52,12 +52,12 @@ mend_links() {
 
 # What dpkg knows of installed packages, their files where they lie here: dpkg-shlibdeps asks it.
 know_packages() {
-    local known=$folder/dpkg deb name
+    local known=$folder/dpkg cache=$folder/root/var/cache/apt/archives deb name
     rm -rf "$known"
     mkdir -p "$known/info" "$known/updates" "$known/triggers"
     printf '%s\n' "$(dpkg --print-architecture)" arm64 >"$known/arch"
     echo 1 >"$known/info/format"
-    for deb in "$folder"/root/var/cache/apt/archives/*.deb; do
+    for deb in "$cache"/*.deb; do
         rm -rf "$folder/control"
         dpkg-deb --control "$deb" "$folder/control"
         name=$(dpkg-deb --field "$deb" Package)
@@ -66,7 +66,7 @@ know_packages() {
         dpkg-deb --fsys-tarfile "$deb" | tar -t | sed -n 's|/$||; s|^\.|'"$folder/root"'|p' >"$known/info/$name.list"
         { sed '/^Package:/a Status: install ok unpacked' "$folder/control/control"; echo; } >>"$known/status"
     done
-    rm -rf "$folder/control" "$folder"/root/var/cache/apt/archives/*.deb
+    rm -rf "$folder/control" "$cache"/*.deb
 }
 
 export NULLSCOPE_ARM64_ROOT=$folder/root QEMU_LD_PREFIX=$folder/root

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Makes all that is given to others, from a clone of the current HEAD, in a folder: a Debian package for each suite, built on a bare
 # system of that suite; the archive for other distributions, from the first suite, so that it runs on that one and on newer ones; the
-# archive for Windows, where mingw-w64 is installed (scripts/windows.sh, which says what is missing); the documentation as a site; the
-# sources; SHA256SUMS.
+# archive for Windows, where mingw-w64 is installed (scripts/windows.sh, which says what is missing); the Debian package for arm64, of this
+# machine's suite, where a cross compiler and qemu are (scripts/arm64.sh, likewise); the documentation as a site; the sources; SHA256SUMS.
 #
 #   scripts/release.sh [--web] [--try] [--suites "bookworm trixie"] [FOLDER]      FOLDER: default out/release
 #
@@ -95,12 +95,16 @@ timed "the archive for Windows" env SOURCE_DATE_EPOCH="$epoch" "$source_tree/nul
 for made in "$source_tree"/nullscope/build/windows/nullscope-*.zip; do
     if [[ -e $made ]]; then cp "$made" "$out"; else say "no archive for Windows, see above"; fi
 done
+timed "the package for arm64" env SOURCE_DATE_EPOCH="$epoch" "$source_tree/nullscope/scripts/arm64.sh" build deb
+for made in "$source_tree"/nullscope/build/arm64/package/*.deb; do
+    if [[ -e $made ]]; then cp "$made" "$out"; else say "no package for arm64, see above"; fi
+done
 (cd "$out" && sha256sum nullscope*"$version"* >SHA256SUMS)
 
 if [[ $try == yes ]]; then
     for suite in $suites; do
         number=$(sed -n "s/^$suite //p" <<<$'bookworm deb12\ntrixie deb13')
-        "$repository/scripts/try-package.sh" "$suite" "$out"/nullscope_"$version"-*~"$number"_*.deb
+        "$repository/scripts/try-package.sh" "$suite" "$out"/nullscope_"$version"-*~"$number"_"$(dpkg --print-architecture)".deb
         "$repository/scripts/try-package.sh" "$suite" "$out/nullscope-$version-linux-$(uname -m).tar.gz"
     done
 fi
