@@ -23,8 +23,10 @@ std::pair<Command&, Options&> add_command(Command& parent, const char* name, con
     command.on_run([options, run] {
         if constexpr (requires { options->split.size(); })  // of which of both files a key is, is not known
             if (!options->split.empty()) return run(*options);
-        if constexpr (requires { options->scene.size(); })
-            return of_scene(options->scene, run(*options));
+        if constexpr (requires { options->scene.size(), options->set.size(); })
+            return of_scene(options->scene, options->set, run(*options));
+        else if constexpr (requires { options->scene.size(); })
+            return of_scene(options->scene, {}, run(*options));
         else
             return run(*options);
     });
@@ -54,7 +56,7 @@ inline void set_option(Command& command, std::vector<std::string>& set) {
     command
         .add_option("--set", &set,
                     "KEY=VALUE, in the place of the scene's value: --set camera.theta=30 --set 'ball[2].radius=3'; "
-                    "once for each key")
+                    "KEY= leaves it out: --set spacetime.spin=; once for each key")
         .repeated();
 }
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/atomic_file.h"
+#include "scenefile/override_table.h"
 #include "scenefile/sections.h"
 #include "scenefile/toml_text.h"
 
@@ -33,18 +34,21 @@ const toml::node* node_of(const toml::table& root, const std::string& key) {
 
 }  // namespace
 
-Error placed_in_scene(Error error, const std::filesystem::path& file) {
+Error placed_in_scene(Error error, const std::filesystem::path& file, const SceneOverrides& overrides) {
     const auto is_of = [&](const Section& section) {
         return error.key == section.name || error.key.starts_with(std::string(section.name) + ".") ||
                error.key.starts_with(std::string(section.name) + "[");
     };
     if (error.key.empty() || !error.file.empty() || std::ranges::none_of(sections(), is_of)) return error;
+    if (auto given = error_of_override(error, overrides)) return *given;
     const auto text = read_text(file, kLargestSceneFile);
     if (!text) return error;
     const auto root = toml_of(*text, file.string());
     if (!root) return error;
+    const toml::node* node = node_of(*root, error.key);
+    if (auto given = error_of_section(error, overrides); given && node == nullptr) return *given;
     error.file = file.string();
-    if (const toml::node* node = node_of(*root, error.key)) error.line = static_cast<int>(node->source().begin.line);
+    if (node != nullptr) error.line = static_cast<int>(node->source().begin.line);
     return error;
 }
 

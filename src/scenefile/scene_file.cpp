@@ -356,10 +356,18 @@ Result<Scene> SceneReader::read(const toml::table& root) {
 
 Result<Scene> parse_scene_in(const SceneFolders& folders, std::string_view toml_text, const std::string& file_label,
                              const SceneOverrides& overrides) {
-    TRY(root, toml_of(toml_text, file_label));
-    TRY(replaced, override_values(*root, overrides));
+    const auto replaced = [&](const SceneOverrides& some) -> Result<toml::table> {
+        TRY(root, toml_of(toml_text, file_label));
+        TRY(all, override_values(*root, some));
+        return root;
+    };
+    TRY(root, replaced(overrides));
     auto scene = SceneReader(file_label, folders).read(*root);
-    return scene ? scene : where_overridden(scene.error(), overrides);
+    if (scene) return scene;
+    return where_overridden(scene.error(), overrides, [&](const SceneOverrides& some) {
+        const auto other = replaced(some);
+        return other && SceneReader(file_label, folders).read(*other);
+    });
 }
 
 Result<Scene> parse_scene(std::string_view toml_text, const std::string& file_label, const fs::path& base_directory) {

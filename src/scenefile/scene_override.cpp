@@ -1,9 +1,11 @@
 #include "scenefile/scene_override.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 #include "base/text.h"
@@ -72,12 +74,36 @@ std::string as_said(std::string key) {
     return key;
 }
 
+Error said_of(const SceneOverride& one, Error error) {
+    error.file = "--set " + one.words(), error.line = 0;
+    return without_controls(std::move(error));
+}
+
+// Without the key, the section, or that one of several.
+Status leave_out(toml::table& table, const Part& part, const std::string& words) {
+    toml::node* node = table.get(part.name);
+    toml::array* list = node != nullptr && part.place > 0 ? node->as_array() : nullptr;
+    if (list != nullptr && part.place <= list->size()) {
+        list->erase(list->begin() + static_cast<std::ptrdiff_t>(part.place - 1));
+        return Done{};
+    }
+    if (node != nullptr && part.place == 0) {
+        table.erase(part.name);
+        return Done{};
+    }
+    std::vector<std::string> there;
+    for (const auto& [name, value] : table) there.emplace_back(name.str());
+    return bad_override(words, "the scene has no such key that could be left out",
+                        there.empty() ? "KEY=VALUE" : fmt::format("{}", fmt::join(there, ", ")));
+}
+
 }  // namespace
 
 Result<SceneOverride> parse_override(const std::string& words) {
     const std::size_t equals = words.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == words.size())
-        return bad_override(words, "not a key and its value", "KEY=VALUE, as in camera.theta=30");
+    if (equals == std::string::npos || equals == 0)
+        return bad_override(words, "not a key and its value",
+                            "KEY=VALUE, as in camera.theta=30, or KEY= to leave it out");
     return SceneOverride{words.substr(0, equals), words.substr(equals + 1)};
 }
 
@@ -97,9 +123,12 @@ Status override_values(toml::table& root, const SceneOverrides& overrides) {
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const std::optional<Part> part = part_of(parts[i]);
             const bool last = i + 1 == parts.size();
-            if (!part || part->name.empty() || parts.size() > kMostParts || (last && part->place > 0))
+            if (!part || part->name.empty() || parts.size() > kMostParts ||
+                (last && part->place > 0 && !one.value.empty()))
                 return bad_override(one.words(), "no key", "SECTION.KEY=VALUE, of several ball[2].radius=3");
-            if (last) {
+            if (last && one.value.empty()) {
+                TRY(left_out, leave_out(*table, *part, one.words()));
+            } else if (last) {
                 insert_value(*table, part->name, one.value);
             } else {
                 TRY(section, section_in(*table, *part, one.words()));
@@ -110,13 +139,37 @@ Status override_values(toml::table& root, const SceneOverrides& overrides) {
     return Done{};
 }
 
-Error where_overridden(Error error, const SceneOverrides& overrides) {
-    if (error.line > 0) return error;
+std::optional<Error> error_of_override(Error error, const SceneOverrides& overrides) {
+    const auto last = overrides | std::views::reverse;  // the last words of a key are the ones that hold
+    const auto found = std::ranges::find(last, error.key, [](const SceneOverride& one) { return as_said(one.key); });
+    if (found == last.end()) return std::nullopt;
+    error.key.clear();
+    return said_of(*found, std::move(error));
+}
+
+std::optional<Error> error_of_section(Error error, const SceneOverrides& overrides) {
+    const auto section_of = [](std::string_view key) { return key.substr(0, key.find_first_of(".[")); };
+    const auto last = overrides | std::views::reverse;
     const auto found =
-        std::ranges::find(overrides, error.key, [](const SceneOverride& one) { return as_said(one.key); });
-    if (found == overrides.end()) return error;
-    error.file = without_controls("--set " + found->words()), error.key.clear();
-    return error;
+        std::ranges::find(last, section_of(error.key), [&](const SceneOverride& one) { return section_of(one.key); });
+    if (found == last.end()) return std::nullopt;
+    return said_of(*found, std::move(error));
+}
+
+Error where_overridden(Error error, const SceneOverrides& overrides,
+                       const std::function<bool(const SceneOverrides&)>& reads) {
+    if (auto own = error_of_override(error, overrides); own && error.line == 0) return *own;
+    if (overrides.empty() || !reads({})) return error;
+    const SceneOverride* cause = nullptr;
+    for (std::size_t i = 0; i < overrides.size() && cause == nullptr; ++i) {
+        SceneOverrides others = overrides;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        if (reads(others)) cause = &overrides[i];
+    }
+    SceneOverrides with_less = overrides;
+    with_less.push_back({error.key, ""});
+    if (reads({with_less.back()}) && reads(with_less)) error.allowed += fmt::format("; --set {}= leaves it out", error.key);
+    return said_of(cause != nullptr ? *cause : overrides.back(), std::move(error));
 }
 
 }  // namespace nullscope

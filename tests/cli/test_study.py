@@ -177,9 +177,39 @@ class Studies(support.CliTest):
         for words, says in [("ball.radius=1", ["ball[1] to ball[2]"]), ("ball[3].radius=1", ["ball[1] to ball[2]"]),
                             ("ball[2].radius=-1", ["--set ball[2].radius=-1"]), ("ball[1].radius=-1", ["--set ball[1].radius=-1"]),
                             ("ball[x].radius=1", ["no key"]), ("sky.kind.x=1", ["kind is no section"]), ("camera.theta", ["KEY=VALUE"]),
-                            ("camera.theta=", ["KEY=VALUE"]), ("camera.theta=1\n[disc]", ["must be a number"]),
+                            ("=", ["KEY=VALUE", "KEY= "]), ("camera.theta=1\n[disc]", ["must be a number"]),
                             ("a.b.c.d.e=1", ["no key"])]:
             self.refused("capture", "balls.toml", "--set", words, says=says)
+
+    def test_errors_name_the_words_that_caused_them(self):
+        """Whichever key of the file they make wrong, when it is read or later; a file that is wrong by itself is told of itself."""
+        given = ["--set", "camera.r=21"]
+        self.write("scene.toml", SCENE.replace("outer = 8", "inner = 3\nouter = 8"))
+        for words, says in [("disc.outer=2", ["--set disc.outer=2: disc.inner: inner = ", "inner < outer"]),
+                            ("spacetime.metric=schwarzschild", ["--set spacetime.metric=schwarzschild: spacetime.spin: ", "--set spacetime.spin= leaves it out"]),
+                            ("sky.kind=image", ["--set sky.kind=image: sky.image: missing"]),
+                            ("disk.outer=9", ["--set disk.outer=9: disk: unknown key"]),
+                            ("disc.emission=image", ["--set disc.emission=image: image: no derivatives"])]:
+            ran = self.refused("flux", "scene.toml", "--derivatives", "spacetime.spin", *given, "--set", words, says=says)
+            self.assertNotRegex(ran, r"scene\.toml|disk= leaves")
+        self.write("broken.toml", SCENE.replace("theta = 70", "theta = 700"))
+        self.refused("plan", "broken.toml", *given, says=["broken.toml:", "camera.theta"])
+        self.write("light.toml", SCENE.replace('emission = "thermal"', 'emission = "image"'))
+        self.refused("flux", "light.toml", "--derivatives", "spacetime.spin", *given, says=["light.toml:", "disc.emission"])
+
+    def test_what_has_no_value_is_left_out(self):
+        plan = lambda *words: json.loads(self.run_nullscope("plan", "balls.toml", "--json", *(word for one in words for word in ("--set", one))).out)
+        reasons = lambda *words: {row["effect"]: row["reason"] for row in plan(*words)["effects"]}
+        self.write("balls.toml", SCENE + "[[ball]]\nposition = [9, 0, 0]\nradius = 2\n[[ball]]\nposition = [0, 9, 0]\n")
+        self.assertEqual(plan("spacetime.metric=schwarzschild", "spacetime.spin=")["metric"], "schwarzschild")
+        self.assertNotIn("disc", reasons("disc="))
+        self.assertIn("and 1 more", reasons()["ball"])
+        self.assertIn("[9, 0, 0]", reasons("ball[2]=")["ball"])
+        self.assertIn("[0, 9, 0]", reasons("ball[1]=")["ball"])
+        self.assertNotIn("ball", reasons("ball="))
+        for words, says in [("disc.opactiy=", ["--set disc.opactiy=: the scene has no such key", "outer"]), ("ball[3]=", ["--set ball[3]=", "ball"]),
+                            ("spot.r=", ["--set spot.r="]), ("disc[1]=", ["--set disc[1]="])]:
+            self.refused("plan", "balls.toml", "--set", words, says=says)
 
 
 if __name__ == "__main__":
