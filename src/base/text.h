@@ -36,6 +36,8 @@ inline std::uint64_t little_endian(std::string_view bytes) {
 }
 
 std::vector<std::string> split(std::string_view text, char separator);
+// "1 parameter", "2 parameters"; many: where it is not `one` with an s.
+std::string counted(long long count, std::string_view one, std::string_view many = {});
 std::string lower_case(std::string text);  // of ASCII letters
 std::string trim(std::string_view text);
 

@@ -149,7 +149,8 @@ Status tell_found(const FluxOptions& options, Scene scene, const DensityFound& f
 Status check(const FluxOptions& options, const Scene& scene) {
     TRY(alone, one_frequency(scene));
     if (!flux_unit(scene, scene.split || scene.camera.stereo != Stereo::kOff))
-        return bad_input(fmt::format("{}: its picture has no flux in Jy", options.scene),
+        return bad_input(fmt::format("{}: its picture has no flux in Jy{}", options.scene,
+                                     scene.disc ? "; --derivatives KEY,... has a thermal disc's in luminance" : ""),
                          "a scene whose only light is matter's at one frequency ([medium] but no gas, sky.kind = "
                          "\"black\", no [disc], no bodies) about an [object] of known mass and distance");
     if (options.target && !has_share(scene, kDensityScale))

@@ -157,13 +157,14 @@ void say_limits(const SeenSky& sky, const VisibilityRows& rows, double reach, co
                                       : "a finer picture reaches farther";
     if (std::ranges::any_of(rows.baselines,
                             [&](Baseline b) { return std::max(std::fabs(b.u), std::fabs(b.v)) > repeats; }))
-        listener.note(
-            fmt::format("baselines beyond {:.4g} Gλ, half a turn a pixel, see the pixels instead of the source: {}",
-                        1e-9 * repeats, farther));
-    if (std::isfinite(reach))
         listener.note(fmt::format(
-            "from {:.4g} Gλ on half of the {} would change V by more than {:g} % of what is left of it there: {}",
-            1e-9 * reach, sky.parts ? "pixels and rays" : "pixels", 100 * kReachShare, farther));
+            "beyond {:.4g} Gλ, where a fringe is two pixels wide, V is of the pixels, not of the source: {}",
+            1e-9 * repeats, farther));
+    if (std::isfinite(reach))
+        listener.note(
+            fmt::format("V may be off by more than {:g} % from {:.4g} Gλ on, where it changes by that with half as "
+                        "many {} a side: {}",
+                        100 * kReachShare, 1e-9 * reach, sky.parts ? "pixels and rays" : "pixels", farther));
 }
 
 Status write_visibilities(const VisibilityOptions& options, const SeenSky& sky, const VisibilityRows& rows) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/csv.h"
+#include "base/text.h"
 #include "command/curve_light.h"
 #include "fit/painted_model.h"
 #include "plan/moving.h"
@@ -90,7 +91,7 @@ Result<CurveData> read_curve(const TableSource& source, const Scene& scene) {
         }
     }
     TRY(with_sigma, set_table_sigma(*table, "noise", source, "flux", data.columns.size(), data.observed));
-    data.observed.what = table_words(data.times.size(), "times", source);
+    data.observed.what = table_words(counted(std::ssize(data.times), "time"), source);
     return data;
 }
 

@@ -64,9 +64,8 @@ Status set_table_sigma(const CsvTable& table, const std::string& column, const T
     return Done{};
 }
 
-std::string table_words(std::size_t count, const std::string& of, const TableSource& source) {
-    return fmt::format("{} {} of {}", count, of,
-                       without_controls(std::filesystem::path(source.name).filename().string()));
+std::string table_words(const std::string& count, const TableSource& source) {
+    return fmt::format("{} of {}", count, without_controls(std::filesystem::path(source.name).filename().string()));
 }
 
 Result<Subject> open_subject(const SceneFamily& family, const SessionSource& sessions, const DataSources& sources) {

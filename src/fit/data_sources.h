@@ -33,6 +33,6 @@ struct TableSource {
 // Of observed.value, so many numbers a line: the column's, else one for all, by the words. of_what: "amplitude". Errors (bad input): both, none.
 Status set_table_sigma(const CsvTable& table, const std::string& column, const TableSource& source,
                        const std::string& of_what, std::size_t numbers_a_line, Observed& observed);
-std::string table_words(std::size_t count, const std::string& of, const TableSource& source);
+std::string table_words(const std::string& count, const TableSource& source);
 
 }  // namespace nullscope::fit

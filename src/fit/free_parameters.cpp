@@ -12,6 +12,7 @@
 #include "scenefile/scene_file.h"
 #include "scenefile/scene_keys.h"
 #include "scenefile/scene_override.h"
+#include "spacetime/registry.h"
 
 namespace nullscope::fit {
 namespace {
@@ -38,15 +39,18 @@ Result<FreeParameter> parse_one(const std::string& words) {
     const auto low = parse_number(ends[0]), high = parse_number(ends[1]);
     if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high)) return bad_free(words, "no range of numbers");
     if (!(*low < *high)) return bad_free(words, "the range is empty");
-    return FreeParameter{whole_key(trim(words.substr(0, equals))), *low, *high};
+    return FreeParameter{whole_key(trim(words.substr(0, equals))), *low, *high, true, words};
 }
 
-// What the reader says of words of --set is said of --free.
-Error said_of_free(Error error) {
-    constexpr std::string_view kSet = "--set ";
-    for (std::string* part : {&error.file, &error.what})
-        if (part->starts_with(kSet)) part->replace(0, kSet.size(), "--free ");
-    return error;
+// The key that was meant by a word without a section; empty: nobody knows.
+std::string meant(const std::string& word, const MetricEntry& metric) {
+    std::vector<std::string> keys, names;
+    for (const MetricParameter& parameter : metric.parameters)
+        keys.emplace_back(parameter.name), names.emplace_back(parameter.name);
+    for (const SceneKey& key : scene_keys())
+        if (key.type == KeyType::kNumber) keys.push_back(full_name(key)), names.emplace_back(key.key);
+    const auto found = std::ranges::find(names, nearest_word(word, names));
+    return found == names.end() ? "" : keys[static_cast<std::size_t>(found - names.begin())];
 }
 
 }  // namespace
@@ -90,8 +94,42 @@ Result<SceneFamily> SceneFamily::of_text(std::string text, std::vector<FreeParam
 Result<SceneFamily> SceneFamily::with(std::vector<FreeParameter> more) const {
     SceneFamily family = *this;
     family.free_.insert(family.free_.end(), more.begin(), more.end());
-    if (Status good = family.check(); !good) return said_of_free(good.error());
+    TRY(named, family.check_names());
+    TRY(good, family.check());
     return family;
+}
+
+// A word without a section that is no parameter of the scene's metric.
+Status SceneFamily::check_names() const {
+    for (const FreeParameter& one : free_) {
+        const std::string word = trim(one.words.substr(0, one.words.find('=')));
+        if (word.empty() || word == one.key || one.key != whole_key(word)) continue;
+        TRY(scene, read_({}));
+        const MetricEntry* metric = find_metric(scene->spacetime.metric);
+        if (metric == nullptr ||
+            std::ranges::find(metric->parameters, word, &MetricParameter::name) != std::ranges::end(metric->parameters))
+            continue;
+        const std::string hint = meant(word, *metric);
+        return bad_free(
+            one.words,
+            fmt::format("no parameter of metric \"{}\"{}", metric->key,
+                        hint.empty() ? "" : fmt::format("; did you mean {}?", hint)),
+            "a number of the scene, as in camera.theta=10:80; a metric's by its name alone, as in spin=0:0.99");
+    }
+    return Done{};
+}
+
+// What the reader says of words of --set is said of those of --free.
+Error SceneFamily::said_of_free(Error error) const {
+    for (const FreeParameter& one : free_) {
+        const std::string set = "--set " + one.key + "=";
+        for (std::string* part : {&error.file, &error.what})
+            if (part->starts_with(set)) {
+                const std::size_t end = std::min(part->find(": "), part->size());
+                part->replace(0, end, "--free " + (one.words.empty() ? one.key : one.words));
+            }
+    }
+    return error;
 }
 
 // Both ends of each range, and a place between, with the others between.
@@ -116,7 +154,8 @@ Result<Scene> SceneFamily::somewhere() const {
 Result<Scene> SceneFamily::at(const std::vector<double>& values) const {
     SceneOverrides overrides;
     for (std::size_t i = 0; i < free_.size(); ++i) overrides.push_back({free_[i].key, fmt::format("{}", values[i])});
-    return read_(overrides);
+    auto scene = read_(overrides);
+    return scene ? std::move(scene) : Result<Scene>(said_of_free(scene.error()));
 }
 
 }  // namespace nullscope::fit

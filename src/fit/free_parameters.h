@@ -14,6 +14,7 @@ struct FreeParameter {
     std::string key;           // as --set has it: "camera.theta", "ball[2].radius"
     double low = 0, high = 0;  // in the unit of scene files; low < high
     bool is_searched = true;   // else the search begins in the middle of its range alone
+    std::string words{};       // of --free: "spin=0:0.99"; empty: others free it
     double at(double share) const { return low + share * (high - low); }
     double share(double value) const { return (value - low) / (high - low); }
 };
@@ -28,7 +29,7 @@ Result<std::vector<FreeParameter>> parse_free(const std::string& words);
 class SceneFamily {
 public:
     // scene: a file, or the name of one that ships; set: words of --set. Errors: those of the scene; a key that the scene cannot have, that is no
-    // number, or whose range is not within the key's own, said of --free.
+    // number, or whose range is not within the key's own, said of the words of --free.
     static Result<SceneFamily> open(std::string scene, const std::vector<std::string>& set,
                                     std::vector<FreeParameter> free);
     // text: of a scene file (scenefile/scene_writer.h), whose relative paths are of the folder of the scenes that ship.
@@ -45,6 +46,8 @@ public:
 private:
     using Read = std::function<Result<Scene>(const SceneOverrides&)>;
     Status check() const;
+    Status check_names() const;
+    Error said_of_free(Error error) const;
     Read read_;
     std::vector<FreeParameter> free_;
 };

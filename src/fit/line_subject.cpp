@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "command/line_source.h"
 #include "telescope/csv_table.h"
 
@@ -56,7 +57,7 @@ Result<LineTable> read_line(const TableSource& source) {
         line.observed.value.push_back(*photons);
     }
     TRY(with_sigma, set_table_sigma(*table, "noise", source, "share", 1, line.observed));
-    line.observed.what = table_words(line.observed.value.size(), "bins", source);
+    line.observed.what = table_words(counted(std::ssize(line.observed.value), "bin"), source);
     return line;
 }
 

@@ -1,7 +1,6 @@
 // What a fit compares: numbers that were measured, and what a model says they are.
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +23,10 @@ public:
     virtual ~Model() = default;
     // parameters: in the unit of scene files. Errors: there is no such scene, or it cannot be drawn.
     virtual Result<Prediction> predict(const std::vector<double>& parameters) = 0;
-    // Its derivative by each parameter, exact, where the model has it; nothing: the solver takes differences.
-    virtual std::optional<std::vector<Prediction>> derivatives(const std::vector<double>& parameters) {
+    // Its derivative by each parameter, exact, where the model has it. Errors: why it has none, in a short phrase; the solver takes differences.
+    virtual Result<std::vector<Prediction>> derivatives(const std::vector<double>& parameters) {
         (void)parameters;
-        return std::nullopt;
+        return failed("such data have no exact ones");
     }
 };
 

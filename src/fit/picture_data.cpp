@@ -95,7 +95,7 @@ Observed PictureData::observed(const std::string& name) const {
     Observed observed;
     for (std::size_t i = 0; i < light.data.size(); ++i)
         if (sigma.data[i] > 0) observed.value.push_back(light.data[i]), observed.sigma.push_back(sigma.data[i]);
-    observed.what = fmt::format("{} pixels of {}", observed.value.size(), name);
+    observed.what = fmt::format("{} of {}", counted(std::ssize(observed.value), "pixel"), name);
     return observed;
 }
 

@@ -79,13 +79,15 @@ Result<Slopes> slopes_at(const Problem& problem, const std::vector<double>& shar
                          const Comparison& here) {
     std::vector<double> values;
     for (std::size_t i = 0; i < shares.size(); ++i) values.push_back(problem.free[i].at(shares[i]));
-    if (!problem.free_flux)
-        if (auto exact = problem.model.derivatives(values)) {
-            for (std::size_t k = 0; k < exact->size(); ++k)
-                scale((*exact)[k], problem.free[k].high - problem.free[k].low, problem.data);
-            return Slopes{std::move(*exact)};
-        }
+    auto exact = problem.free_flux ? failed("the flux is free") : problem.model.derivatives(values);
+    if (exact) {
+        for (std::size_t k = 0; k < exact->size(); ++k)
+            scale((*exact)[k], problem.free[k].high - problem.free[k].low, problem.data);
+        return Slopes{std::move(*exact)};
+    }
     Slopes slopes;
+    const Error& none = exact.error();
+    slopes.why_differences = none.key.empty() ? none.what : none.key + ": " + none.what;
     for (std::size_t k = 0; k < shares.size(); ++k) {
         TRY(slope, difference(problem, shares, k, steps.half[k], here));
         slopes.columns.push_back(std::move(*slope));

@@ -44,7 +44,8 @@ Steps first_steps(std::size_t parameters);
 // Derivatives of the prediction by each parameter's share of its range, in standard deviations of the data: a column each.
 struct Slopes {
     std::vector<Prediction> columns;
-    int predictions = 0;  // that they took
+    int predictions = 0;            // that they took
+    std::string why_differences{};  // that they are, in a short phrase; empty: they are exact
     std::vector<double> lengths() const;
 };
 Steps steps_for(const std::vector<double>& lengths);  // of slopes

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include "base/text.h"
 
 namespace nullscope::fit {
 namespace {
@@ -24,9 +27,10 @@ std::string row_of(const Reported& reported, std::size_t i) {
     const Solution& best = reported.fitted.best;
     const FreeParameter& one = reported.free[i];
     const double value = best.values[i];
-    if (reported.fitted.goodness.is_bad()) return fmt::format("{:<24} {:.6g}", one.key, value);
     std::string row;
-    if (is_determined(best, reported.free, i)) {
+    if (reported.fitted.goodness.is_bad()) {
+        row = fmt::format("{:<24} {:.6g}", one.key, value);
+    } else if (is_determined(best, reported.free, i)) {
         const double sigma = best.sigma[i];
         const int decimals = decimals_of(sigma);
         row = fmt::format("{:<24} {:<12.{}f} {:.{}f} to {:.{}f} (+- {:.2g})", one.key, value, decimals, value - sigma,
@@ -54,9 +58,10 @@ std::string correlation_table(const Reported& reported) {
 std::string answer_words(const Reported& reported) {
     const auto& answers = reported.fitted.answers;
     const int starts = reported.fitted.starts;
-    std::string words = answers.size() == 1
-                            ? fmt::format("{} starts, all to this answer\n", starts)
-                            : fmt::format("{} starts, {} to the best answer\n", starts, answers.front().starts);
+    std::string words = counted(starts, "start");
+    words += answers.size() > 1 ? fmt::format(", {} to the best answer\n", answers.front().starts)
+             : starts > 1       ? ", all to this answer\n"
+                                : "\n";
     for (std::size_t k = 1; k < answers.size(); ++k) {
         words += fmt::format("  {} to one whose chi^2 is larger by {:.4g}:", answers[k].starts,
                              answers[k].solution.chi2 - answers.front().solution.chi2);
@@ -68,8 +73,14 @@ std::string answer_words(const Reported& reported) {
 }
 
 std::string goodness_words(const Goodness& goodness) {
-    return fmt::format("chi^2 {:.6g} of {} degrees of freedom, {:.4g} of each; probability {:.2g}\n", goodness.chi2,
-                       goodness.degrees, goodness.per_degree(), goodness.probability);
+    return fmt::format("chi^2 {:.6g} of {}, {:.4g} of each; probability {:.2g}\n", goodness.chi2,
+                       counted(goodness.degrees, "degree of freedom", "degrees of freedom"), goodness.per_degree(),
+                       goodness.probability);
+}
+
+std::string derivative_words(const Solution& best) {
+    if (best.why_differences.empty()) return "derivatives by each parameter: exact\n";
+    return fmt::format("derivatives by each parameter: differences ({})\n", without_controls(best.why_differences));
 }
 
 }  // namespace
@@ -80,12 +91,13 @@ std::string bad_words(const Goodness& goodness) {
 }
 
 std::string fit_table(const Reported& reported) {
-    std::string table = fmt::format("{}, {} parameters, {} predictions{}\n", reported.data, reported.free.size(),
-                                    reported.fitted.predictions,
+    std::string table = fmt::format("{}, {}, {}{}\n", reported.data, counted(std::ssize(reported.free), "parameter"),
+                                    counted(reported.fitted.predictions, "prediction"),
                                     reported.samples ? fmt::format(", {0} x {0} rays a pixel", *reported.samples) : "");
     for (std::size_t i = 0; i < reported.free.size(); ++i) table += row_of(reported, i) + '\n';
     if (reported.free_flux) table += fmt::format("{:<24} {:.6g}\n", "flux", reported.fitted.best.flux);
-    table += goodness_words(reported.fitted.goodness) + correlation_table(reported) + answer_words(reported);
+    table += goodness_words(reported.fitted.goodness) + correlation_table(reported) + answer_words(reported) +
+             derivative_words(reported.fitted.best);
     if (!reported.fitted.best.converged)
         table += "the solver has not settled: other starts or narrower ranges may help\n";
     return table;
@@ -104,9 +116,11 @@ cli::Json fit_json(const Reported& reported) {
                                       {"sigma", known ? cli::Json(best.sigma[i]) : cli::Json(nullptr)},
                                       {"low", one.low},
                                       {"high", one.high},
-                                      {"at_end", best.at_end(reported.free, i)}});
+                                      {"at_end", best.at_end(reported.free, i)},
+                                      {"derivative", best.why_differences.empty() ? "exact" : "differences"}});
     }
     json["samples"] = reported.samples ? cli::Json(*reported.samples) : cli::Json(nullptr);
+    json["why_differences"] = best.why_differences.empty() ? cli::Json(nullptr) : cli::Json(best.why_differences);
     json["flux"] = best.flux;
     json["chi2"] = goodness.chi2, json["degrees_of_freedom"] = goodness.degrees;
     json["probability"] = goodness.probability, json["converged"] = best.converged;

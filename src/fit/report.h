@@ -16,7 +16,8 @@ struct Reported {
     std::optional<int> samples;  // Subject::samples
     bool free_flux = false;
 };
-// Best values with 68 % intervals (a standard deviation to either side), correlations, chi^2; of a bad fit the values without intervals.
+// Best values with 68 % intervals (a standard deviation to either side), correlations, chi^2; of a bad fit the values without intervals;
+// whether derivatives were exact, and if not, why.
 std::string fit_table(const Reported& reported);
 // "this scene does not describe the data: ..."; empty: it does.
 std::string bad_words(const Goodness& goodness);

@@ -1,5 +1,6 @@
 // From a start to the nearest least of chi^2, by Levenberg and Marquardt's method with bounds and a robust loss (Ceres: only here).
 #pragma once
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -16,6 +17,7 @@ struct Solution {
     std::vector<double>
         slope{};  // of the prediction by each parameter's share of its range: length in standard deviations of the data
     int predictions = 0;
+    std::string why_differences{};                                             // Slopes::why_differences
     bool at_end(const std::vector<FreeParameter>& free, std::size_t i) const;  // of its range
 };
 

@@ -12,6 +12,7 @@ namespace nullscope::fit {
 namespace {
 
 constexpr double kRayTolerance = 1e-6;  // of a step: well below the quadrature's
+constexpr double kSeenThrough = 0.01;   // opacity of discs whose rims hide nothing: for what is said of others
 constexpr double kScaleStep = 1e-6;     // of a parameter's range: the scale is a closed form
 
 // Derivatives are by radians.
@@ -21,8 +22,11 @@ double unit_of(const std::string& key) {
     return row != scene_keys().end() && row->unit.starts_with("deg") ? M_PI / 180 : 1;
 }
 
-bool only_a_disc(const Scene& scene) {
-    return scene.sky.kind == SkyKind::kBlack && scene.disc && scene.disc->material.texture != TextureKind::kGas;
+Status check_only_a_disc(const Scene& scene) {
+    if (scene.sky.kind != SkyKind::kBlack) return bad_key("sky.kind", "a sky that is not black", "black");
+    if (scene.disc && scene.disc->material.texture == TextureKind::kGas)
+        return bad_key("disc.texture", "clumps of gas", "plain");
+    return Done{};
 }
 
 // Of ln of a pixel's size on the sky, by the k-th parameter.
@@ -40,17 +44,22 @@ Result<double> scale_slope(const SceneFamily& family, std::vector<double> values
     return (logarithms[1] - logarithms[0]) / (high - low);
 }
 
-Result<std::vector<Prediction>> slopes(const SceneFamily& family, const std::vector<double>& values,
-                                       std::span<const Baseline> baselines, bool is_complex) {
+}  // namespace
+
+Result<std::vector<Prediction>> visibility_slopes(const SceneFamily& family, const std::vector<double>& values,
+                                                  std::span<const Baseline> baselines, bool is_complex) {
     TRY(scene, family.at(values));
-    if (!only_a_disc(*scene)) return failed("other light");
+    TRY(alone, check_only_a_disc(*scene));
     std::vector<std::string> keys;
     for (const FreeParameter& one : family.free()) keys.push_back(one.key);
     TRY(light, PictureLight::make(*scene, keys, kRayTolerance));
     TRY(pixel, cli::sky_scale(*scene));
     std::vector<Fringes> fringes;  // east is left, north is up
     for (const Baseline& one : baselines) fringes.push_back({-2 * M_PI * *pixel * one.u, -2 * M_PI * *pixel * one.v});
-    TRY(found, visibility_gradient(**light, fringes));
+    const auto found = visibility_gradient(**light, fringes);
+    if (!found && scene->disc->opacity > kSeenThrough)
+        return bad_key("disc.opacity", "images of an opaque disc hide parts of each other", "0.01 or less");
+    if (!found) return found.error();
     std::vector<Prediction> columns(keys.size());
     for (std::size_t k = 0; k < keys.size(); ++k) {
         TRY(wider, scale_slope(family, values, k));
@@ -67,15 +76,6 @@ Result<std::vector<Prediction>> slopes(const SceneFamily& family, const std::vec
         }
     }
     return columns;
-}
-
-}  // namespace
-
-std::optional<std::vector<Prediction>> visibility_slopes(const SceneFamily& family, const std::vector<double>& values,
-                                                         std::span<const Baseline> baselines, bool is_complex) {
-    auto found = slopes(family, values, baselines, is_complex);
-    if (!found) return std::nullopt;
-    return std::move(*found);
 }
 
 }  // namespace nullscope::fit

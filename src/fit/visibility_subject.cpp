@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "command/sky_light.h"
 #include "fit/painted_model.h"
 #include "fit/visibility_slopes.h"
@@ -59,7 +60,7 @@ Result<VisibilityData> read_visibilities(const TableSource& source) {
         }
     }
     TRY(with_sigma, set_table_sigma(*table, "noise" + unit, source, "amplitude", columns.size(), data.observed));
-    data.observed.what = table_words(data.baselines.size(), "visibilities", source);
+    data.observed.what = table_words(counted(std::ssize(data.baselines), "visibility", "visibilities"), source);
     return data;
 }
 
@@ -82,7 +83,7 @@ public:
         return prediction;
     }
 
-    std::optional<std::vector<Prediction>> derivatives(const std::vector<double>& values) override {
+    Result<std::vector<Prediction>> derivatives(const std::vector<double>& values) override {
         return visibility_slopes(family(), values, baselines_, is_complex_);
     }
 

@@ -168,7 +168,8 @@ Error where_overridden(Error error, const SceneOverrides& overrides,
     }
     SceneOverrides with_less = overrides;
     with_less.push_back({error.key, ""});
-    if (reads({with_less.back()}) && reads(with_less)) error.allowed += fmt::format("; --set {}= leaves it out", error.key);
+    if (reads({with_less.back()}) && reads(with_less))
+        error.allowed += fmt::format("; --set {}= leaves it out", error.key);
     return said_of(cause != nullptr ? *cause : overrides.back(), std::move(error));
 }
 

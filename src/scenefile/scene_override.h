@@ -10,8 +10,9 @@
 namespace nullscope {
 
 struct SceneOverride {
-    std::string key;    // with its section; number i of several: ball[i].radius
-    std::string value;  // as in a scene file; what is no TOML value is a text, whose quotes may be left out; empty: no value
+    std::string key;  // with its section; number i of several: ball[i].radius
+    std::string
+        value;  // as in a scene file; what is no TOML value is a text, whose quotes may be left out; empty: no value
     std::string words() const { return key + "=" + value; }
 };
 using SceneOverrides = std::vector<SceneOverride>;

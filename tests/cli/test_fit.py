@@ -159,6 +159,8 @@ class Fits(support.CliTest):
             self.holds(found)
             self.assertEqual(found["degrees_of_freedom"], 2 * 24 - 2)
             self.assertTrue(found["describes_the_data"], found)
+            self.assertEqual([one["derivative"] for one in found["parameters"]], 2 * ["exact" if opacity else "differences"])
+            self.assertEqual((found["why_differences"] or "").partition(":")[0], "" if opacity else "disc.opacity")
             predictions.append(found["predictions"])
         self.assertLess(predictions[1], predictions[0])
 
@@ -267,6 +269,19 @@ class Fits(support.CliTest):
         refused(line.replace("0.1\n", "-1\n"), ["data.csv:2: noise"])
         refused(line, ["--mask"], "--mask", "mask.png")
 
+    def test_what_the_report_says(self):
+        """Of data that the scene does not describe: at the range's end, one of each, and why derivatives are differences."""
+        self.write("data.csv", "u,v,amplitude,noise\n1e9,0,0.9,1e-3\n2e9,1e9,0.1,1e-3\n")
+        self.write("scene.toml", (fit_data.SCENE % (16, 16)) + '[object]\nname = "m87"\n')
+        asked = ("fit", "data.csv", "scene.toml", "--free", "camera.theta=78:80", "--starts", "1", "--seed", "1", "--samples", "1")
+        ran = self.run_nullscope(*asked, status=1)
+        self.assertIn("does not describe the data", ran.err)
+        self.assertRegex(ran.out, r"2 visibilities of data.csv, 1 parameter, \d+ predictions")
+        self.assertRegex(ran.out, r"camera.theta +(78|80); at the end of its range, 78:80\n")
+        self.assertRegex(ran.out, r" of 1 degree of freedom, ")
+        self.assertRegex(ran.out, r"\n1 start\n")
+        self.assertRegex(ran.out, r"\nderivatives by each parameter: differences \(disc.opacity: .*\)\n")
+
     def test_errors(self):
         self.write("scene.toml", fit_data.SCENE % (8, 8))
         data = self.write("data.fits", fit_data.fits([[1.0] * 8] * 8))
@@ -276,9 +291,12 @@ class Fits(support.CliTest):
             options = {**usual, **{"--" + name: value for name, value in changed.items()}}
             self.refused("fit", picture, "scene.toml", "-o", "best.toml", *(word for pair in options.items() if pair[1] for word in pair), says=says)
 
-        refused(["--free camera.tehta=", "unknown key", "theta"], free="camera.tehta=10:80")
-        refused(["--free spacetime.spin=2", "[-1, 1]"], free="spin=0:2")
-        refused(["--free disc.emission=", "disc.emission"], free="disc.emission=0:1")
+        refused(["--free camera.tehta=10:80: unknown key", "theta"], free="camera.tehta=10:80")
+        refused(["--free spin=0:2: 2 is out of range", "[-1, 1]"], free="spin=0:2")
+        refused(["--free spacetime.spin=0:2: 2 is out of range"], free="spacetime.spin=0:2")
+        refused(["--free spn=0:1: no parameter of metric", "did you mean spin?"], free="spn=0:1")
+        refused(["--free thta=0:1: ", "did you mean camera.theta?"], free="thta=0:1")
+        refused(["--free disc.emission=0:1: must be a string"], free="disc.emission=0:1")
         refused(["range is empty"], free="spin=0.5:0.5")
         refused(["no range"], free="spin=0.5")
         refused(["spin is there twice"], free="spin=0:0.5,spacetime.spin=0:0.4")

@@ -175,6 +175,7 @@ Result<Solution> solve(const Problem& problem, const std::vector<double>& start,
     Solution solution{evaluation.values(), best->flux, best->chi2, summary.termination_type != ceres::NO_CONVERGENCE};
     add_covariance(least, evaluation.shares(), problem, solution);
     solution.slope = evaluation.slopes().lengths();
+    solution.why_differences = evaluation.slopes().why_differences;
     solution.predictions = evaluation.predictions() + 1;
     return solution;
 }
