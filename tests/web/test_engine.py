@@ -38,6 +38,32 @@ class EngineTest(WebTest):
                     different = sum(a != b for a, b in zip(shown[2], pictures[2]))
                     self.assertEqual(different, 0, "values that differ")
 
+    def test_a_picture_of_another_size_begins_with_the_one_before(self):
+        """A canvas that is resized is black, and its passes may take seconds: what is seen meanwhile is the picture that was there."""
+        engine = self.open()
+        engine.open("sky-grid")
+        engine.picture()
+        seen = engine.browser.run("""(async () => {
+          const real = engine.core, gl = engine.gl, seen = [];
+          const bright = () => {
+            const { width, height } = gl.canvas, all = new Uint8Array(4 * width * height);
+            gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+            gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+            return [width, all.reduce((sum, value, i) => sum + (i % 4 < 3 ? value : 0), 0) / (width * height)];
+          };
+          seen.push(bright());
+          const draw_next = () => (seen.push(bright()), real.exports.draw_next());
+          engine.core = Object.create(real, { exports: { value: { ...real.exports, draw_next } } });
+          engine.resize(2 * gl.canvas.width, 2 * gl.canvas.height);
+          await engine.picture();
+          engine.core = real;
+          return seen;
+        })()""")
+        (width, before), (wider, between) = seen[:2]
+        self.assertEqual(wider, 2 * width)
+        self.assertGreater(before, 10)
+        self.assertAlmostEqual(between / before, 1, delta=0.1)
+
     def test_a_lost_context_comes_back(self):
         engine = self.open()
         engine.open("kerr")

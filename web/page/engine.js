@@ -326,8 +326,7 @@ export class Engine {
           await this.#withFiles(() => this.core.call("begin_picture", width, height, adaptation, Number(quick)));
           if ((await this.#paintSkies()) === gone) continue;
           while (!exports.is_compiled()) await this.#breath();
-          if (this.canvas.width !== width) this.canvas.width = width;  // which clears it
-          if (this.canvas.height !== height) this.canvas.height = height;
+          this.#resizeCanvas(width, height);
         }
         await this.#breatheAtTimes();
         left = exports.draw_next();
@@ -335,6 +334,28 @@ export class Engine {
     } finally {
       if (lives === this.lives) this.painting = false;
     }
+  }
+  // Another size clears the canvas: until the last pass of the picture it shows the one before.
+  #resizeCanvas(width, height) {
+    const { gl, canvas } = this, { width: w, height: h } = canvas;
+    if (w === width && h === height) return;
+    const kept = gl.createFramebuffer(), colours = gl.createRenderbuffer();
+    const copy = (from, to, ...sizes) => {
+      gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from);
+      gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to);
+      gl.blitFramebuffer(0, 0, w, h, 0, 0, ...sizes, gl.COLOR_BUFFER_BIT, gl.LINEAR);
+    };
+    gl.disable(gl.SCISSOR_TEST);
+    gl.bindRenderbuffer(gl.RENDERBUFFER, colours);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA8, w, h);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, kept);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, colours);
+    copy(null, kept, w, h);
+    Object.assign(canvas, { width, height });
+    copy(kept, null, width, height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.deleteFramebuffer(kept);
+    gl.deleteRenderbuffer(colours);
   }
   // Some drivers compile meanwhile.
   async #paintSkies() {
