@@ -6,10 +6,11 @@ import json
 import math
 import sys
 import threading
+import tomllib
 import unittest
 
 from browser import Browser, PageError, Quiet, Server
-from support import begin
+from support import ROOT, begin
 
 PAGE = None
 GRID = "#sky-grid"  # needs no sky from the network
@@ -315,6 +316,14 @@ class Wide(unittest.TestCase):
         self.assertLess(page.run(lit), 0.97 * plain)
         self.assertTrue(page.run(f"{VIEW}.ask('picture').then(({{ pixels }}) => pixels.every((value, i) => value <= before[i]))"))
 
+    def test_cards_have_the_titles_of_their_scenes(self):
+        """Also of scenes whose images the page has not fetched."""
+        wanted = {file.stem: tomllib.loads(file.read_text()) for file in (ROOT / "assets/scenes").glob("*.toml")}
+        shown = {scene["name"]: scene for scene in self.page.ask("gallery")}
+        self.assertGreater(len(shown), 20)
+        for name, scene in shown.items():
+            self.assertEqual((scene["title"], scene["description"]), (wanted[name]["name"], wanted[name]["description"]))
+
     def test_telescope(self):
         """The null follows the camera as its closed form says; the beam lies over the picture; a closed panel finds nothing."""
         page = self.page
@@ -327,6 +336,7 @@ class Wide(unittest.TestCase):
             return page.run("window.found.minimum[0]"), 1e-9 * 1.219669891 / seen
         page.click("#tab-telescope")
         near, known = null_and_formula()
+        self.assertFalse(page.shown("#telescope [aria-label=Object]"))   # it is m87
         self.assertAlmostEqual(near / known, 1, delta=0.01)
         self.assertIn("Gλ", page.text("#telescope .figures"))
         x, y = page.centre()
@@ -354,6 +364,23 @@ class Wide(unittest.TestCase):
         self.page.fresh()
         page.run(f"{VIEW}.ask('whole')")
         self.assertEqual(page.run("window.found"), "none")
+
+    def test_a_scene_whose_size_in_the_sky_nobody_knows(self):
+        """The panel says whose it takes, what is missing, and gives the scene one."""
+        page = self.page
+        page.run(f"{VIEW}.open({json.dumps(BALL.replace('[object]', '').replace('name = ' + chr(34) + 'm87' + chr(34), ''))})")
+        page.click("#tab-telescope")
+        page.wait("/As if of M87.*Choose an object/.test(document.querySelector('#telescope-says').textContent)", 300)
+        self.assertTrue(page.shown("#telescope [aria-label=Object]"))
+        choose = "{ const list = document.querySelector('#telescope [aria-label=Object]'); list.value = %d; list.dispatchEvent(new Event('change')); }"
+        page.run(choose % 2)
+        page.wait("/^Sgr A/.test(document.querySelector('#telescope-says').textContent)", 300)
+        self.assertEqual(page.values()["object.name"], "sgr-a")
+        self.assertTrue(page.shown("#telescope [aria-label=Object]"))
+        page.run(choose % 0)
+        page.wait("/^As if of M87/.test(document.querySelector('#telescope-says').textContent)", 300)
+        page.click("#tab-settings")
+        page.fresh()
 
     def test_proof(self):
         page = self.page

@@ -32,6 +32,10 @@ const WORDS = {
   "janis-newman-winicour": "Janis\u2013Newman\u2013Winicour", "neutron-star": "Neutron star", formula: "Formula", velocity: "Speed",
   "counter-orbit": "Counter-orbit",
 };
+// How the picture is moved: what moves it, by a mouse and keys, by fingers.
+const HANDS = [["Look round", "drag, arrows", "one finger"], ["Closer, farther", "wheel, W S", "two fingers apart"],
+  ["Round the centre", "Alt and drag", "two fingers, drag"], ["Fly", "W A S D, Space, C", ""], ["Roll", "right drag, Q E", "two fingers, twist"],
+  ["Zoom", "Shift and wheel, + -", ""], ["Fall, stop", "F", ""], ["The scene's camera", "R", ""]];
 const AXES = ["outward", "southward", "eastward"];
 const NOT_HERE = new Set(["camera.size", "camera.plane_width", "camera.focal_distance", "camera.stereo", "camera.eye_distance",
   "camera.pixel_aspect", "sky.catalogue", "picture.scale_bar", "picture.shutter", "picture.sub_frames"]);
@@ -261,6 +265,13 @@ export class Controls {
       if (more.length > 0)
         body.append(make("details", { className: "more" }, make("summary", { textContent: "More" }), ...more.map((key) => this.#control(key))));
     }
+    this.#hands();
+  }
+  #hands() {
+    const fingers = matchMedia("(pointer: coarse)").matches;
+    const rows = HANDS.map(([what, mouse, touch]) => [what, fingers ? touch : mouse]).filter(([, how]) => how !== "");
+    this.place.append(make("details", { className: "section", id: "hands" }, make("summary", {}, make("span", { textContent: fingers ? "Gestures" : "Mouse and keys" })),
+      make("dl", { className: "hands" }, ...rows.flatMap(([what, how]) => [make("dt", { textContent: what }), make("dd", { textContent: how })]))));
   }
   #control(key) {
     const made = MAKERS[key.type](words(short(key), key.name), key, this.#set(key.name));

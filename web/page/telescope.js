@@ -1,9 +1,12 @@
 // The panel "Telescope": what core.wasm finds of it in each picture (engine.js), as plots, and the picture through a beam.
 
 import { make } from "./controls.js";
+import { plain } from "./view.js";
 
 const RING_NULL = 0.76547;                  // the first zero of J0, over pi: a thin ring's null times its diameter
 const UAS = Math.PI / 180 / 3600e6, DEEP = 0.3;
+// What a scene without mass and distance can be given here: its name in a scene file.
+const OBJECTS = [["", "None: as if of M87*"], ["m87", "M87*"], ["sgr-a", "Sgr A*"], ["cygnus-x-1", "Cygnus X-1"]];
 const THROUGH = ["As it is", "Through a beam", "As baselines resolve it"];
 const SLIDERS = {                           // name, unit, least, most, at first, steep
   beam: ["Beam", "µas", 1, 60, 20, false, "Full width at half of the maximum: of an ellipse the longer one."],
@@ -126,14 +129,23 @@ export class Telescope {
     this.said = make("p", { className: "note", id: "telescope-says" });
     this.said.setAttribute("role", "status");
     this.through = this.#list("Picture", THROUGH);
+    this.objects = this.#list("Object", OBJECTS.map(([, words]) => words));
+    this.objects.row.hidden = true;
+    this.objects.row.title = "Whose mass and distance the scene has: they say how large it is in the sky.";
     this.triangles = this.#list("Triangle", []);
     this.sliders = Object.fromEntries(Object.entries(SLIDERS).map(([name, row]) => [name, this.#slider(name, ...row)]));
     this.figures = make("dl", { className: "figures" });
     this.found = make("div", { hidden: true }, this.through.row, ...Object.values(this.sliders).map(({ row }) => row), this.curve,
-      this.figures, this.triangles.row, make("div", { className: "both" }, this.plane, this.closure));
+      this.figures, this.triangles.row, make("div", { className: "both" }, this.plane, this.closure), this.objects.row);
     place.append(make("h2", { textContent: "What radio telescopes measure" }), this.found, this.said);
     this.#rows();
     this.through.list.addEventListener("change", () => (this.#rows(), this.#want()));
+    this.objects.list.addEventListener("change", () => {
+      const [name] = OBJECTS[this.objects.list.value];
+      this.given = name !== "";
+      view.set("object.name", name && JSON.stringify(name)).catch((error) => (this.said.textContent = plain(error.message)));
+    });
+    view.addEventListener("scene", ({ detail }) => detail.what && (this.given = false));   // another one
     this.triangles.list.addEventListener("change", () => {
       this.triangle = Number(this.triangles.list.value);
       this.#want();
@@ -168,7 +180,7 @@ export class Telescope {
     input.value = (to(first) - to(low)) / (to(high) - to(low));
     input.setAttribute("aria-label", label);
     const show = () => {
-      text.value = `${digits(value(), 3)} ${unit}`.trim();
+      text.value = `${digits(value(), 3)}${unit === "°" ? "" : " "}${unit}`.trim();
       input.setAttribute("aria-valuetext", text.value);
       input.style.setProperty("--at", input.value);
     };
@@ -210,7 +222,7 @@ export class Telescope {
   }
   #figures({ curve, minimum, source }) {
     const part = minimum && minimum[1] / curve[0];
-    const least = !minimum ? "" : part < 1e-4 ? "below 0.01 %" : source.jansky ? `${digits(minimum[1], 2)} Jy` : `${digits(100 * part, 2)} %`;
+    const least = !minimum ? "" : part < 1e-4 ? "below 0.01\u00a0%" : source.jansky ? `${digits(minimum[1], 2)}\u00a0Jy` : `${digits(100 * part, 2)}\u00a0%`;
     const rows = [[minimum ? `First minimum: ${least}` : "First minimum", minimum ? `${digits(minimum[0], 4)} Gλ` : "none there"],
       ["As a thin ring", minimum && part < DEEP ? `${digits(RING_NULL / (1e9 * minimum[0]) / UAS, 4)} µas` : "not like one"]];
     this.figures.replaceChildren(...rows.map(([name, value]) =>
@@ -218,9 +230,11 @@ export class Telescope {
   }
   #source({ object, assumed, assumed_place: elsewhere, rough, uas, GHz }) {
     let words = `${assumed ? "As if of " : ""}${object}, ${digits(uas[0], 3)} x ${digits(uas[1], 3)} µas, ${GHz} GHz`;
-    words += assumed ? ": the scene has no [object] with mass and distance." : elsewhere ? ", at the place of M87* in the sky." : ".";
+    words += assumed ? ": the scene does not say whose it is. Choose an object above, or give its file mass_suns and distance_pc in [object]." : elsewhere ? ", at the place of M87* in the sky." : ".";
     if (rough) words += " The camera is near, moves or looks aside: the scale is rough.";
     this.said.textContent = words;
+    this.objects.row.hidden = !assumed && !this.given;
+    if (assumed) this.objects.list.value = 0;
   }
   // The picture through it, with the beam in the corner.
   #beam(beam) {
