@@ -100,6 +100,13 @@ void History::rest(const ViewState& view) {
     at_ = steps_.size() - 1;
 }
 
+void History::saved(const std::string& from, const std::string& file) {
+    std::size_t first = at_, end = at_;
+    while (first > 0 && steps_[first - 1].source == from) --first;
+    while (end < steps_.size() && steps_[end].source == from) ++end;
+    for (std::size_t i = first; i < end; ++i) steps_[i].source = file;
+}
+
 bool History::undo(ViewState& view, std::string& what) {
     rest(view);  // what has not come to rest yet
     return at_ > 0 && go_to(at_ - 1, view, what);

@@ -15,6 +15,9 @@ public:
     // each of the last kMostSteps.
     void rest(const ViewState& view);
 
+    // The scene was saved to a file, whose name is then that of all steps since it was opened as `from`: a save is no step.
+    void saved(const std::string& from, const std::string& file);
+
     // Goes a step back, or forward again; false: there is none. `what`: the keys that change, the effects that are switched
     // and whether sides are swapped, for a message.
     bool undo(ViewState& view, std::string& what);

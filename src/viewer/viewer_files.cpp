@@ -59,6 +59,8 @@ void Viewer::save_scene_to(const std::filesystem::path& path) {
     scene = std::move(*checked);
     if (Status saved = write_text_atomically(path, kSavedMark + scene_file_text(scene, path.parent_path())); !saved)
         return say(saved.error().message());
+    history_.rest(view_);  // as what it was until now
+    history_.saved(view_.source, path.string());
     view_.source = shown_.view.source = path.string();
     view_.loaded = scene;
     own_file(view_, view_.source);

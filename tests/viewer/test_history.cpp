@@ -129,6 +129,28 @@ TEST_CASE("history: another scene is a step, the window's size is none") {
     CHECK(view.scene.camera.width == width);
 }
 
+TEST_CASE("history: a save is no step, and what was done before it is undone in the saved file") {
+    ViewState view = opened("first-light");
+    History history;
+    std::string what;
+    history.rest(view);
+    REQUIRE(load_into(view, "kerr"));
+    history.rest(view);
+    const double brightness = view.scene.sky.brightness;
+    view.scene.sky.brightness *= 2.0;
+    history.rest(view);
+    history.saved(view.source, "/tmp/kerr.toml");
+    view.source = "/tmp/kerr.toml", view.loaded = view.scene;
+    history.rest(view);
+    REQUIRE(history.undo(view, what));
+    CHECK(what == "sky.brightness");
+    CHECK(view.scene.sky.brightness == brightness);
+    CHECK(view.source == "/tmp/kerr.toml");
+    REQUIRE(history.undo(view, what));
+    CHECK(what == "another scene");
+    CHECK(view.source == "first-light");
+}
+
 TEST_CASE("history: steps of a tour are undone with what they switch off, and R returns to their view") {
     ViewState view = opened("first-light");
     view.own = {"mine.toml"};
