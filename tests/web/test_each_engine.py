@@ -108,6 +108,22 @@ class EachEngine:
         self.assertEqual(self.picture(), picture)
         self.assertEqual(browser.run("location.hash"), link)
 
+    def test_a_name_that_no_scene_has(self):
+        """It is said once, with the name that is nearest, beside the list of scenes."""
+        browser = self.browser
+        browser.open("about:blank")
+        browser.open(self.server.url + "#acretion")
+        browser.wait(f"/no scene of this name/.test({VIEW}?.message?.textContent) && document.querySelectorAll('#scenes a').length > 0")
+        self.assertIn("did you mean accretion?", browser.run(f"{VIEW}.message.textContent"))
+        self.assertEqual(self.text("#toast"), "")
+        self.assertTrue(browser.run("document.querySelector('#scenes').checkVisibility()"))
+        browser.run("document.querySelector('#scenes a[data-name=sky-grid]').click()")
+        browser.wait(f"Boolean({VIEW}.drawn) && {VIEW}.message.hidden")
+        # Once there is a picture it stays, and the words go by.
+        browser.run("(history.pushState(null, '', '#sky-gird'), dispatchEvent(new PopStateEvent('popstate')))")
+        browser.wait("document.querySelector('#toast').textContent.includes('did you mean sky-grid?')")
+        self.assertTrue(browser.run(f"{VIEW}.message.hidden"))
+
     def test_a_lost_context_comes_back(self):
         browser = self.open()
         picture = self.picture()

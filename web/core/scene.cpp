@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "base/assets.h"
+#include "base/atomic_file.h"
 #include "base/text.h"
 #include "core/exports.h"
 #include "core/session.h"
@@ -47,6 +48,14 @@ std::string value_of(const toml::table& file, const std::string& name, std::stri
     std::ostringstream out;
     node.visit([&](const auto& value) { out << value; });
     return out.str();
+}
+
+// A text at the top of a scene's file, which may show images that the page has not fetched: then it is no scene yet.
+std::string own_words(const SceneInfo& scene, std::string_view key, const std::string& else_words) {
+    const auto text = read_text(scene.path, kLargestSceneFile);
+    if (!text) return else_words;
+    const auto file = toml_of(*text, scene.name);
+    return file ? (*file)[key].value_or(else_words) : else_words;
 }
 
 }  // namespace
@@ -157,14 +166,24 @@ NULLSCOPE_EXPORT(plan) bool plan() {
     return answer(fmt::format("[{}]", fmt::join(list, ",\n")));
 }
 
+// That no scene in memory has this name, and which one may be meant.
+NULLSCOPE_EXPORT(no_scene) bool no_scene(const char* name, std::size_t size) {
+    std::vector<std::string> names;
+    for (const SceneInfo& scene : shipped_scenes()) names.push_back(scene.name);
+    const std::string nearest = nearest_word({name, size}, names);
+    return answer(fmt::format("{}: no scene of this name ships{}", in_quotes({name, size}),
+                              nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
+}
+
 // The scenes that the page has put into memory, in the gallery's order: [{"group", "name", "title", "description"}, ...].
 NULLSCOPE_EXPORT(gallery) bool gallery() {
     std::vector<std::string> list;
     for (const SceneGroup& group : in_gallery_groups(shipped_scenes()))
         for (const SceneInfo& scene : group.scenes)
             list.push_back(fmt::format(R"({{"group": {}, "name": {}, "title": {}, "description": {}}})",
-                                       in_json(group.title), in_json(scene.name), in_json(scene.title),
-                                       in_json(scene.description)));
+                                       in_json(group.title), in_json(scene.name),
+                                       in_json(own_words(scene, "name", scene.title)),
+                                       in_json(own_words(scene, "description", scene.description))));
     return answer(fmt::format("[{}]", fmt::join(list, ",\n")));
 }
 

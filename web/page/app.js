@@ -109,7 +109,15 @@ async function open(what) {
   await news();
   get("title").classList.remove("gone");
 }
-const openSafely = act(open);
+// Before the first picture the view says by itself what is wrong.
+async function openSafely(what) {
+  try {
+    await open(what);
+  } catch (error) {
+    if (view.drawn) refuse(error);
+    else if (!phone.matches) show((last = "scenes"));
+  }
+}
 async function link() {
   const now = linkOf(await view.ask("sceneLine"));
   return now === opened.link ? opened.name : now;

@@ -85,8 +85,9 @@ export class Engine {
   }
   #sceneFile(name) {
     const size = this.core.call("read_file", `${SHIPPED}scenes/${name}.toml`);
-    if (!size) throw new Failure(`"${name}": no scene of this name ships`);
-    return this.core.answer();
+    if (size) return this.core.answer();
+    this.core.call("no_scene", name);
+    throw new Failure(this.core.answer());
   }
   // Runs a call that may need files which the page has not fetched. Throws why it fails by another reason.
   async #withFiles(call) {
