@@ -16,7 +16,7 @@ Status override_values(toml::table& root, const SceneOverrides& overrides);
 
 // An error, said of the words that give its key, or a key of its section; nothing: none do.
 std::optional<Error> error_of_override(Error error, const SceneOverrides& overrides);
-std::optional<Error> error_of_section(Error error, const SceneOverrides& overrides);
+std::optional<Error> error_of_section(const Error& error, const SceneOverrides& overrides);
 
 // An error of a value that was replaced is the command line's, not the file's; so is one of the file's own keys where the file can be read without
 // the words. reads: whether it can be with these; asked overrides.size() + 3 times at most.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "base/text.h"
@@ -79,6 +78,13 @@ Error said_of(const SceneOverride& one, Error error) {
     return without_controls(std::move(error));
 }
 
+// The last words of a key are the ones that hold. nullptr: there are none.
+template <class Is>
+const SceneOverride* last_of(const SceneOverrides& overrides, const Is& is) {
+    const auto found = std::find_if(overrides.rbegin(), overrides.rend(), is);
+    return found == overrides.rend() ? nullptr : &*found;
+}
+
 // Without the key, the section, or that one of several.
 Status leave_out(toml::table& table, const Part& part, const std::string& words) {
     toml::node* node = table.get(part.name);
@@ -140,20 +146,19 @@ Status override_values(toml::table& root, const SceneOverrides& overrides) {
 }
 
 std::optional<Error> error_of_override(Error error, const SceneOverrides& overrides) {
-    const auto last = overrides | std::views::reverse;  // the last words of a key are the ones that hold
-    const auto found = std::ranges::find(last, error.key, [](const SceneOverride& one) { return as_said(one.key); });
-    if (found == last.end()) return std::nullopt;
+    const SceneOverride* found =
+        last_of(overrides, [&](const SceneOverride& one) { return as_said(one.key) == error.key; });
+    if (found == nullptr) return std::nullopt;
     error.key.clear();
     return said_of(*found, std::move(error));
 }
 
-std::optional<Error> error_of_section(Error error, const SceneOverrides& overrides) {
+std::optional<Error> error_of_section(const Error& error, const SceneOverrides& overrides) {
     const auto section_of = [](std::string_view key) { return key.substr(0, key.find_first_of(".[")); };
-    const auto last = overrides | std::views::reverse;
-    const auto found =
-        std::ranges::find(last, section_of(error.key), [&](const SceneOverride& one) { return section_of(one.key); });
-    if (found == last.end()) return std::nullopt;
-    return said_of(*found, std::move(error));
+    const SceneOverride* found =
+        last_of(overrides, [&](const SceneOverride& one) { return section_of(one.key) == section_of(error.key); });
+    if (found == nullptr) return std::nullopt;
+    return said_of(*found, error);
 }
 
 Error where_overridden(Error error, const SceneOverrides& overrides,
