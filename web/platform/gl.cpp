@@ -21,7 +21,7 @@ Format filtered_light() { return filters_floats ? Format::kRgba32F : Format::kRg
 bool computes() { return false; }
 std::optional<StoredImage> stored_image(unsigned) { return std::nullopt; }
 ComputeProgram make_compute_program(const std::string&, Stored) { return {}; }
-void TileList::find(const Program&, int, int) {}
+void TileList::find(const Program&, int, int, int) {}
 void compute_tiles(const Program&, const StoredImage&, const TileList&, int, int, const Layer&) {}
 void compute_patches(const Program&, const StoredImage&, const VertexList&, int, int) {}
 bool skips_groups() { return false; }
