@@ -3,6 +3,7 @@
 import hashlib
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 ASSETS = ROOT / "assets"
 COPIED = ["gallery/*.jpg", "images/*.png", "images/*.jpg", "sky/*", "warp/*.data", "medium/*.grid", "telescopes/*.csv"]  # fetched when a scene asks for them
 TEXTS = ["scenes/*.toml", "gallery/groups.toml", "frontier.csv"]  # all at once
+
+
+COMMENT = re.compile(r"(?m)^[ \t]*//.*$")   # of a line of its own, a twelfth of the scripts: lines keep their numbers
 
 
 def packed(content):
@@ -22,6 +26,8 @@ def main():
     build, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     shutil.rmtree(out, ignore_errors=True)
     shutil.copytree(ROOT / "web/page", out)
+    for script in out.glob("*.js"):
+        script.write_text(COMMENT.sub("", script.read_text()))
     for name in ("core", "reference"):
         (out / f"{name}.wasm.gz").write_bytes(packed((build / f"{name}.wasm").read_bytes()))
     for pattern in COPIED:

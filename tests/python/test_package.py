@@ -278,7 +278,7 @@ class Rays(Test):
             self.assertEqual(found["state"].tolist(), [row["derivatives"] for row in rows])
             for name in found.dtype.names[1:]:
                 self.assertTrue(np.array_equal(found[name], [float(row[name] or "nan") for row in rows], equal_nan=True), f"{scene} {name}")
-            self.assertEqual(len(found.dtype.names), 1 + 7 * len(names))
+            self.assertEqual(len(found.dtype.names), 1 + 8 * len(names))   # x, y, z, g, delay; of the crossing r, phi, g
         for call, words in ((lambda: ns.gradient("kerr", rays, ["charge"]), "no derivatives by .charge. of this scene; allowed: spacetime.spin"),
                             (lambda: ns.gradient("kerr", rays, "spin"), "parameters: of another kind; allowed: a list of texts"),
                             (lambda: ns.gradient("wormhole", rays, ["camera.r"]), "no derivatives in metric"),
