@@ -287,7 +287,10 @@ export class Controls {
       box.setAttribute("role", "switch");
       box.setAttribute("aria-label", `${name} in the scene`);
       box.addEventListener("click", (event) => event.stopPropagation());
-      box.addEventListener("change", () => this.change((parts) => (box.checked ? parts.set(title, "{ }") : parts.delete(title))));
+      box.addEventListener("change", () => {
+        const wanted = box.checked;   // a refresh of a change before may set it again until the edit is made
+        return this.change((parts) => (wanted ? parts.set(title, "{ }") : parts.delete(title)));
+      });
       summary.append(box);
     }
     this.place.append(section);
