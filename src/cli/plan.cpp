@@ -33,14 +33,19 @@ struct Plan {
     long long shader_bytes = 0, shader_lines = 0,
               compute_bytes = 0;  // compute_bytes: with compute shaders where passes can have them
     StageChoice stage{.reason = "unless --stage asks otherwise; --measure compares"};
-    std::vector<EffectCost> costs;  // where they were measured
+    std::vector<std::string> remembered;  // what was measured of such a scene, a line for each device
+    std::vector<EffectCost> costs;        // where they were measured
 };
 
 Result<Plan> make_plan(const Scene& scene) {
     FrameTables tables;
     TRY(made, tables.update(scene));
     TRY(textures, frame_textures(tables));
-    Plan plan{.scene = scene, .effects = tables.plan().reasons, .tables = std::move(*textures), .costs = {}};
+    Plan plan{.scene = scene,
+              .effects = tables.plan().reasons,
+              .tables = std::move(*textures),
+              .remembered = remembered_stages(scene, tables.effects()),
+              .costs = {}};
     std::string shader;
     const BodyText bodies = body_text(scene, tables.effects());
     for (const Pass& pass : passes(tables.effects(), Output::kDisplay)) {
@@ -121,6 +126,7 @@ void print_text(const Plan& plan) {
     fmt::print("Shaders\n  {} bytes, {} lines (nullscope capture SCENE --dump-shader prints it); by compute {} bytes\n",
                plan.shader_bytes, plan.shader_lines, plan.compute_bytes);
     fmt::print("Stage\n  {:<19}{}\n", plan.stage.stage, plan.stage.reason);
+    for (const std::string& line : plan.remembered) fmt::print("  {:<19}{}\n", "measured", line);
 }
 
 Json json_of(const Plan& plan) {
@@ -157,7 +163,7 @@ Json json_of(const Plan& plan) {
                 {"tables", tables},
                 {"table_bytes", total},
                 {"passes", drawn},
-                {"stage", {{"name", plan.stage.stage}, {"reason", plan.stage.reason}}},
+                {"stage", {{"name", plan.stage.stage}, {"reason", plan.stage.reason}, {"measured", plan.remembered}}},
                 {"shader",
                  {{"bytes", plan.shader_bytes}, {"lines", plan.shader_lines}, {"compute_bytes", plan.compute_bytes}}}};
 }

@@ -2,17 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/stopwatch.h"
 #include "gl/abilities.h"
 #include "gl/gl.h"
 #include "platform/usage.h"
+#include "render/stage_trial.h"
 
 namespace nullscope::cli {
 namespace {
-
-constexpr int kFrames = 3;
 
 double frame_ms(Renderer& renderer, const gl::Target& target, bool by_processor) {
     gl::finish();
@@ -27,31 +24,26 @@ double frame_ms(Renderer& renderer, const gl::Target& target, bool by_processor)
 
 StageChoice choose_stage(Renderer& renderer, int width, int height) {
     const gl::Target target = gl::make_target(width, height, gl::Format::kRgba8);
-    const bool software = gl::names_llvmpipe(renderer.info().renderer);
-    const int drawn = renderer.computed().drawn();
-    StageChoice choice;
-    renderer.compute(true);
-    frame_ms(renderer, target, software);  // compiles
-    if (!renderer.computed().draws())
-        choice.reason = renderer.computed().refusal();
-    else if (renderer.computed().drawn() == drawn)
-        choice.reason = "no pass of this scene can be computed";
-    renderer.compute(false);
+    const bool software = gl::names_software(renderer.info().renderer);
+    const auto trial = try_stages(renderer, [&] { return std::optional(frame_ms(renderer, target, software)); });
+    StageChoice choice{.reason = trial->refusal, .times = trial->times};
     if (!choice.reason.empty()) return choice;
-    frame_ms(renderer, target, software);
-    choice.fragment_ms = choice.compute_ms = 1e30;
-    for (int i = 0; i < kFrames; ++i)
-        for (const bool compute : {false, true}) {
-            renderer.compute(compute);
-            double& least = compute ? choice.compute_ms : choice.fragment_ms;
-            least = std::min(least, frame_ms(renderer, target, software));
-        }
-    const bool sooner = choice.compute_ms < choice.fragment_ms;
-    renderer.compute(sooner);
-    if (sooner) choice.stage = kComputeStage;
-    choice.reason = fmt::format("{:.2f} ms a frame by fragments, {:.2f} by compute ({}{})", choice.fragment_ms,
-                                choice.compute_ms, renderer.info().renderer, software ? ", processor time" : "");
+    choice.stage = choice.times.stage();
+    choice.reason =
+        fmt::format("{} ({}{})", choice.times.words(), renderer.info().renderer, software ? ", processor time" : "");
+    // Where it cannot be kept it is measured again.
+    static_cast<void>(StageMemory().keep(stage_device(renderer), stage_kind(renderer), choice.times));
     return choice;
+}
+
+std::vector<std::string> remembered_stages(const Scene& scene, const EffectSet& effects) {
+    const StageMemory memory;
+    std::vector<std::string> lines;
+    for (const Tiles tiles : {Tiles::kBodies, Tiles::kInterpolated})
+        for (const StageMemory::Row& row : memory.of_kind(scene_kind(scene.spacetime.metric, effects, Method{}, tiles)))
+            lines.push_back(fmt::format("{}: {}{} ({})", row.times.stage(), row.times.words(),
+                                        tiles == Tiles::kInterpolated ? " in the viewer" : "", row.device));
+    return lines;
 }
 
 }  // namespace nullscope::cli

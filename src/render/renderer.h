@@ -1,6 +1,7 @@
 // The renderer that window, file and test share. Needs a current OpenGL 3.3 core context whose functions are loaded
 // (gl::load_functions); knows of no window system.
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <span>
@@ -66,6 +67,7 @@ public:
     // The same, once build_next() has made all of the programs; until then Tiles::kBodies. Where light of matter is interpolated at once:
     // to compile two programs more takes less than to trace it.
     void limit_tiles_once_built(Tiles most) { most_built_tiles_ = most; }
+    Tiles most_tiles() const { return std::max(most_tiles_, most_built_tiles_); }  // of both, once all is built
     // One program of those that are not there, some 0.1 s on software drivers; of a prepared scene. Returns whether one was left. Where the
     // driver compiles beside other work it returns at once, to be called again.
     bool build_next();

@@ -17,6 +17,7 @@
 #include "studio/fall.h"
 #include "studio/hidden_bodies.h"
 #include "studio/number_words.h"
+#include "studio/paint_job.h"
 
 namespace nullscope::viewer {
 
@@ -57,11 +58,11 @@ struct ViewState {
     std::shared_ptr<const SideB> side_b;               // right of the divider; nullptr: no comparison
     int sides = 0;  // twice the number of comparisons until now, 1 more while sides are swapped
     MethodWish method;
-    bool compute = false;     // pictures are traced by compute shaders, where the driver has them; they are the same
-    Fall fall;                // of the camera, once it was let go
-    bool clock_runs = false;  // the scene's own
-    double clock_rate = 5.0;  // r_s/c a second
-    EffectSet off;            // of the scene's effects, switched off by hand
+    StageWish stage = StageWish::kAuto;
+    Fall fall;                       // of the camera, once it was let go
+    bool clock_runs = false;         // the scene's own
+    double clock_rate = 5.0;         // r_s/c a second
+    EffectSet off;                   // of the scene's effects, switched off by hand
     Vec3 boost_direction{-1, 0, 0};  // kept while the camera is at rest
     DiscSpec hidden_disc;            // kept while the disc is switched off
     HiddenBodies hidden;

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "base/text.h"
@@ -35,15 +37,23 @@ bool method_row(ViewState& view, const FrameFacts& facts, bool escape) {
     return changed;
 }
 
-bool shaders_row(bool& compute, bool escape) {
+bool shaders_row(StageWish& wish, bool escape) {
+    struct Kind {
+        StageWish wish;
+        const char *name, *help;
+    };
+    constexpr Kind kKinds[] = {{StageWish::kAuto, "auto", "What takes less, timed once for each kind of scene."},
+                               {StageWish::kFragment, "fragment", "Of every OpenGL."},
+                               {StageWish::kCompute, "compute", "Needs OpenGL 4.3."}};
     row("Shaders",
-        "What traces pictures: fragment shaders, or compute shaders, which need OpenGL 4.3. The picture is the same; "
-        "the frame time below says which is faster here.");
+        "What traces pictures: fragment or compute shaders. The picture is the same. auto times both when such a scene "
+        "is first at rest, except where the processor draws.");
+    const auto now = std::ranges::find(kKinds, wish, &Kind::wish);
     bool changed = false;
-    choice("##shaders", compute ? "compute" : "fragment", escape, [&] {
-        for (const bool which : {false, true})
-            if (choice_item(which ? "compute" : "fragment", compute == which) && compute != which)
-                compute = which, changed = true;
+    choice("##shaders", (now == std::end(kKinds) ? kKinds[0] : *now).name, escape, [&] {
+        for (const Kind& kind : kKinds)
+            if (choice_item(kind.name, wish == kind.wish, kind.help) && wish != kind.wish)
+                wish = kind.wish, changed = true;
     });
     return changed;
 }
@@ -118,7 +128,8 @@ bool accuracy_section(ViewState& view, const FrameFacts& facts, bool escape) {
     } else {
         paragraph(facts.not_measured, true);
     }
-    changed |= shaders_row(view.compute, escape);
+    changed |= shaders_row(view.stage, escape);
+    if (!facts.stage_words.empty()) paragraph("Shaders: " + facts.stage_words);
     row("Overlay",
         "Shows the screen error of every pixel as a colour over the picture: the larger of sky and disc (key H).");
     ImGui::Checkbox("Error of every pixel", &view.show_errors);

@@ -1,9 +1,13 @@
 #include "viewer/frame_renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "annotate/ticks.h"
+#include "gl/abilities.h"
+#include "render/stage_trial.h"
 #include "spacetime/registry.h"
 #include "studio/bands.h"
 #include "viewer/streamline_layer.h"
@@ -79,7 +83,7 @@ double FrameRenderer::ray_picture_ms(const PaintJob& job) const {
     Scene once = job.scene;
     once.picture.samples = 1;  // of pictures in motion
     const EffectSet effects = with_one_ray(effect_set(required_effects(once)));
-    if (method_ != job.method || compute_ != job.compute || effects_ != effects) return 0.0;
+    if (method_ != job.method || stage_ != job.stage || effects_ != effects) return 0.0;
     if (job.side_b == nullptr) return picture_ms_;
     const double other = side_b_ != nullptr ? side_b_->ray_picture_ms(*job.side_b) : 0.0;
     return picture_ms_ > 0.0 && other > 0.0 ? picture_ms_ + other : 0.0;
@@ -116,11 +120,13 @@ Status FrameRenderer::prepare(const Scene& scene, const PaintJob& job, const Sta
     renderer_.refine(!search.quick);  // by the same programs
     renderer_.draft(search.quick);
     renderer_.set_method(job.method);
-    renderer_.compute(job.compute);
     renderer_.set_adaptation(job.adaptation);
     split_ = job.rays ? std::nullopt : halves(scene);
     if (!split_) right_.reset();
-    if (Status ready = renderer_.prepare(split_ ? split_->left : scene); !ready || !split_) return ready;
+    Status ready = renderer_.prepare(split_ ? split_->left : scene);
+    const bool compute = ready && computes(job.stage);
+    renderer_.compute(compute);
+    if (!ready || !split_) return ready;
     if (right_ == nullptr) {
         right_ = std::make_unique<Renderer>();
         prepare_flight(*right_);
@@ -128,7 +134,7 @@ Status FrameRenderer::prepare(const Scene& scene, const PaintJob& job, const Sta
     right_->search_stars(search);
     right_->refine(!search.quick);
     right_->draft(search.quick);
-    right_->compute(job.compute);
+    right_->compute(compute);
     // The right half's spacetime may not have the left one's method.
     const SpacetimeSpec& other = split_->right.spacetime;
     const auto spacetime = make_spacetime(other.metric, other.parameters);
@@ -196,8 +202,9 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
     if (painting.ready) {
         painting.draft = first && drafts(job);
         const EffectSet effects = with_one_ray(renderer_.tables().effects());
-        if (effects != effects_ || job.method != method_ || job.compute != compute_) ray_ms_ = 0.0, half_ray_ms_ = {};
-        effects_ = effects, method_ = job.method, compute_ = job.compute;
+        const bool compute = renderer_.computed().draws();
+        if (effects != effects_ || job.method != method_ || compute != computes_) ray_ms_ = 0.0, half_ray_ms_ = {};
+        effects_ = effects, method_ = job.method, stage_ = job.stage, computes_ = compute;
         const gl::Target& drawn = target(painting.width, painting.height, avoid);
         const double expected_ms = picture_ms_ * painting.width * painting.height;
         const auto times = draw(drawn, first && expected_ms > 0.0 && expected_ms <= kMotionInMatter_ms, watch);
@@ -220,6 +227,48 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
     }
     add_facts(painting);
     return painting;
+}
+
+bool FrameRenderer::measures(StageWish wish) const {
+    return wish == StageWish::kMeasured || (wish == StageWish::kAuto && !gl::names_software(renderer_.info().renderer));
+}
+
+bool FrameRenderer::computes(StageWish wish) {
+    const auto because = [&](bool compute, const std::string& why) {
+        stage_words_ = fmt::format("{}: {}", compute ? kComputeStage : kFragmentStage, why);
+        return compute;
+    };
+    if (wish == StageWish::kFragment || wish == StageWish::kCompute)
+        return because(wish == StageWish::kCompute, "chosen by hand");
+    if (!measures(wish))
+        return because(false, "this driver draws on the processor, where compute shaders gain nothing");
+    const std::string kind = stage_kind(renderer_);
+    if (const auto refused = refused_.find(kind); refused != refused_.end()) return because(false, refused->second);
+    const auto times = stages_.find(stage_device(renderer_), kind);
+    return times ? because(times->computes(), times->words()) : because(false, "until both are timed, at rest");
+}
+
+// As in motion: what a scene takes matters there.
+bool FrameRenderer::try_stages(const PaintJob& job, const DrawWatch& watch) {
+    if (!measures(job.stage) || job.rays || watch.give_up()) return false;
+    Scene scene = job.scene;
+    scene.picture.samples = 1;
+    if (!prepare(scene, job, {true, watch.give_up}) || split_) return false;
+    const std::string device = stage_device(renderer_), kind = stage_kind(renderer_);
+    if (refused_.contains(kind) || stages_.find(device, kind)) return false;
+    const gl::Target drawn = gl::make_target(scene.camera.width, scene.camera.height, gl::Format::kRgba8);
+    std::array<double, 2> ray_ms{};
+    const auto trial = nullscope::try_stages(renderer_, [&]() -> std::optional<double> {
+        const auto times = draw_in_bands(renderer_, drawn, ray_ms[renderer_.computed().draws() ? 1 : 0], watch);
+        return times ? std::optional(times->draw_ms) : std::nullopt;
+    });
+    if (!trial) return false;
+    if (!trial->refusal.empty())
+        refused_[kind] = trial->refusal;
+    else  // where it cannot be kept it is measured again in the next session
+        static_cast<void>(stages_.keep(device, kind, trial->times));
+    computes(job.stage);  // says it
+    return true;
 }
 
 // In motion too: as many pixels as there are ticks.

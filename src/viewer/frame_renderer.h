@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "gl/gl.h"
 #include "plan/effects.h"
 #include "render/renderer.h"
+#include "render/stage_times.h"
 #include "scene/split.h"
 #include "studio/effect_watch.h"
 #include "studio/paint_job.h"
@@ -85,6 +87,12 @@ public:
     // Draws a small picture in motion, unseen, once for every set of programs: drivers compile what its state asks for at the first draw.
     void warm_up(const PaintJob& job, const TexturesInUse& avoid, const DrawWatch& watch);
 
+    // Times fragment and compute shaders, if the job leaves it to that and such a scene was not timed on this device; whether it did. The next
+    // pictures of the kind are drawn by what took less.
+    bool try_stages(const PaintJob& job, const DrawWatch& watch);
+    // Which shaders trace what was drawn last, and why: a line.
+    const std::string& stage_words() const { return stage_words_; }
+
     Renderer& renderer() { return renderer_; }
     double& ray_ms() { return ray_ms_; }
     // One for a scene without an effect; its programs stay until it is dropped.
@@ -96,6 +104,8 @@ private:
     std::optional<Painting> one_picture(const PaintJob& job, double coarseness, bool first, const TexturesInUse& avoid,
                                         const DrawWatch& watch);
     Status prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search);
+    bool measures(StageWish wish) const;
+    bool computes(StageWish wish);  // what is prepared; leaves the reason in stage_words()
     // at_once: in one band.
     std::optional<DrawTimes> draw(const gl::Target& target, bool at_once, const DrawWatch& watch);
     const gl::Target& target(int width, int height, const TexturesInUse& avoid);
@@ -115,7 +125,11 @@ private:
     double ray_ms_ = 0.0;  // of scenes with these effects and this method
     EffectSet effects_;
     Method method_;
-    bool compute_ = false;     // likewise
+    StageWish stage_ = StageWish::kAuto;  // likewise
+    bool computes_ = false;               // likewise
+    StageMemory stages_;
+    std::map<std::string, std::string> refused_;  // kinds of scenes that nothing computes here, and why
+    std::string stage_words_;
     double picture_ms_ = 0.0;  // the last picture's, a ray; 0: not known
     double coarseness_ = 1.0;  // of the last picture in motion
     double compile_ms_ = 0.0;

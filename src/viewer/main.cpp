@@ -1,9 +1,12 @@
 // nullscope-viewer: curved spacetimes in a window.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iterator>
 #include <string>
+#include <string_view>
 
 #include "base/atomic_file.h"
 #include "base/command_line.h"
@@ -49,14 +52,20 @@ constexpr const char* kControls =
     "nullscope capture SCENE -o FILE.png, or xvfb-run nullscope-viewer "
     "...\nFor pictures, films, rays and measurements in files, use nullscope (see: nullscope help).";
 
-Command program_of(viewer::ViewerOptions& options, std::string& size, std::string& manual) {
+constexpr std::string_view kShaders[] = {"auto", "measured", "fragment", "compute"};  // in the order of StageWish
+
+struct Words {
+    std::string size, manual, shaders = "auto";
+};
+
+Command program_of(viewer::ViewerOptions& options, Words& words) {
     Command program("nullscope-viewer", kAbout);
     program.set_footer(kControls + ("\n\nPanels, of the menus View and Help:\n" + viewer::panel_help()));
     program.set_version(kVersionText);
     program.add_option("scene", &options.scene, "Scene file, or the name of a built-in scene (default: the gallery)");
     program.add_flag("--gallery", &options.gallery, "Start with the gallery, before the scene");
     program.add_option(
-        "--size", &size,
+        "--size", &words.size,
         "Window size in pixels, WIDTHxHEIGHT (default: the scene's, or the screen's if that is smaller)");
     program.add_option("--screenshot", &options.screenshot, "Write what the window shows to this .png, then quit");
     program
@@ -66,6 +75,11 @@ Command program_of(viewer::ViewerOptions& options, std::string& size, std::strin
     program.add_flag("--hidden", &options.hidden, "Show no window; use with --screenshot or --after-frames");
     program.add_flag("--one-context", &options.one_context,
                      "Draw pictures in the window's own OpenGL context, not in a background thread");
+    program
+        .add_option("--shaders", &words.shaders,
+                    "What traces pictures, which are the same: fragment, compute (OpenGL 4.3), auto: what takes less, "
+                    "timed at rest once for each kind of scene, or measured: the same where the processor draws, too")
+        .one_of({std::begin(kShaders), std::end(kShaders)});
     program
         .add_option("--coarse", &options.coarse,
                     "Render at 1/N of the window's resolution in each direction, for slow machines with "
@@ -77,7 +91,7 @@ Command program_of(viewer::ViewerOptions& options, std::string& size, std::strin
     program.add_option("--layout", &options.layout,
                        "Write the positions of the panels' texts to this file whenever the window is idle, with those "
                        "that are cut off or overlap");
-    program.add_option("--manual", &manual,
+    program.add_option("--manual", &words.manual,
                        "Write the man page and a bash completion script into this folder, then quit");
     return program;
 }
@@ -90,22 +104,24 @@ int main(int argc, char** argv) {
     nullscope::gl::name_driver_at_death("nullscope-viewer");
     constexpr int kFramesOfScreenshot = 4;  // panels have found their size by then
     viewer::ViewerOptions options;
-    std::string size, manual;
-    const Command program = program_of(options, size, manual);
+    Words words;
+    const Command program = program_of(options, words);
     const auto asked = nullscope::parse_command_line(program, argc, argv);
     if (!asked) return report(asked.error());
     if (!asked->text.empty()) return fmt::print("{}", asked->text), 0;
-    if (!manual.empty()) {
-        const Status written = write_manual(program, kSceneNames, manual);
+    if (!words.manual.empty()) {
+        const Status written = write_manual(program, kSceneNames, words.manual);
         return written ? 0 : report(written.error());
     }
-    if (!size.empty()) {
-        const auto sides = two_whole_numbers(size, 'x', 1, kLargest);
+    if (!words.size.empty()) {
+        const auto sides = two_whole_numbers(words.size, 'x', 1, kLargest);
         if (!sides)
-            return report(bad_input(fmt::format("--size {}: not a size", size),
+            return report(bad_input(fmt::format("--size {}: not a size", words.size),
                                     fmt::format("WIDTHxHEIGHT, whole numbers from 1x1 to {}x{}", kLargest, kLargest)));
         options.size = viewer::PixelSize{sides->first, sides->second};
     }
+    options.stage = static_cast<viewer::StageWish>(std::ranges::find(kShaders, std::string_view(words.shaders)) -
+                                                   std::begin(kShaders));
     if (!options.screenshot.empty()) {
         if (!options.screenshot.ends_with(".png"))
             return report(bad_input(fmt::format("--screenshot {}: unknown kind of file", options.screenshot),

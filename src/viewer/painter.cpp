@@ -44,6 +44,7 @@ void Painter::ask(PaintJob job) {
         busy_ = true;
         ++drawn_by_caller_;
         do_job(*own_, job);
+        stage_words_ = own_->stage_words();
         news_();  // the caller's loop is about to wait for events
         return;
     }
@@ -178,12 +179,14 @@ void Painter::work(const std::stop_token& stop) {
                 do_measure(frame_renderer, *order);
             lock.lock();
             at_work_ = false;
+            stage_words_ = frame_renderer.stage_words();
             lock.unlock();
             news_();
             // At rest, what makes the next pictures cheaper; a job waits for one program at most.
             while (job && !interrupted() && frame_renderer.build_next()) {
             }
             if (job && !interrupted()) frame_renderer.warm_up(*job, textures_in_use(), quiet_watch());
+            if (job && !interrupted()) try_stages(frame_renderer, *job);
             lock.lock();
         }
     } catch (...) {
@@ -227,6 +230,21 @@ void Painter::do_job(FrameRenderer& frame_renderer, const PaintJob& job) {
     }
     if (auto whole = frame_renderer.picture(job, 1, false, textures_in_use(), watch(!may_be_left)))
         publish(std::move(*whole), true);
+}
+
+// At work meanwhile, for a program may take seconds to compile.
+void Painter::try_stages(FrameRenderer& frame_renderer, const PaintJob& job) {
+    {
+        const std::lock_guard lock(mutex_);
+        at_work_ = true;
+    }
+    const bool tried = frame_renderer.try_stages(job, quiet_watch());
+    {
+        const std::lock_guard lock(mutex_);
+        at_work_ = false;
+        stage_words_ = frame_renderer.stage_words();
+    }
+    if (tried) news_();
 }
 
 // In motion: a newer job comes soon after the picture was shown.

@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "viewer/frame_renderer.h"
@@ -37,8 +38,9 @@ public:
     bool gives_up() const { return locked(gives_up_); }
     bool at_work() const;  // the thread draws or measures
     PaintProgress progress() const { return locked(progress_); }
-    std::optional<Painting> take();                           // if there is one; throws what the thread met
-    int drawn_by_caller() const { return drawn_by_caller_; }  // jobs that ask() did itself, its caller waiting
+    std::string stage_words() const { return locked(stage_words_); }  // FrameRenderer::stage_words()
+    std::optional<Painting> take();                                   // if there is one; throws what the thread met
+    int drawn_by_caller() const { return drawn_by_caller_; }          // jobs that ask() did itself, its caller waiting
 
     // Measures what each effect of the scene costs, one after the other, until there is a new job.
     void measure(const Scene& scene, const Method& method);
@@ -63,6 +65,7 @@ private:
     void do_job(FrameRenderer& frame_renderer, const PaintJob& job);
     void do_measure(FrameRenderer& frame_renderer, const PaintJob& order);
     void do_polarisation(FrameRenderer& frame_renderer, const PaintJob& order);
+    void try_stages(FrameRenderer& frame_renderer, const PaintJob& job);
     void do_loop(LoopTrace& trace, std::unique_lock<std::mutex>& lock);
     void publish(Painting painting, bool last);
     DrawWatch watch(bool whole_job);
@@ -82,6 +85,7 @@ private:
     bool last_ = false;                // painting_ is its job's last
     bool busy_ = false, at_work_ = false, gives_up_ = false;
     PaintProgress progress_;
+    std::string stage_words_;
     std::optional<EffectTimes> times_;                           // that were not taken yet
     std::optional<std::optional<PolarisationNumbers>> numbers_;  // likewise
     bool loop_asked_ = false, loop_due_ = false;                 // loop_order_ is new; there are points left

@@ -42,6 +42,7 @@ struct FrameFacts {
     const std::vector<MeasuredMethod>& measured;
     const std::string& not_measured;  // why there are no rows, or nothing
     const MethodChoice& choice;
+    std::string stage_words;  // which shaders traced it, and why
     AccuracyFacts accuracy;
     const EffectTimes& times;  // of the painting
     const PolarisationNumbers*

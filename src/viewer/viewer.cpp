@@ -48,6 +48,7 @@ Result<std::unique_ptr<Viewer>> Viewer::open(const ViewerOptions& options) {
     viewer->view_.numbers = settings.numbers;
     viewer->view_.shipped = shipped_scenes();
     for (const Panel* panel : viewer::panels()) set_open(viewer->view_, *panel, panel->at_first);
+    viewer->view_.stage = options.stage;
     if (Status opened = viewer->open_first(); !opened) return opened.error();
     const CameraSpec& camera = viewer->view_.scene.camera;
     const PixelSize usual =
@@ -215,6 +216,7 @@ FrameFacts Viewer::frame_facts() const {
             methods_.measured,
             methods_.not_measured,
             shown_.choice,
+            painter_->stage_words(),
             cover_.accuracy->facts(),
             effects_.times(),
             polarisation_.numbers()};

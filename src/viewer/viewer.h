@@ -38,8 +38,9 @@ struct ViewerOptions {
     bool hidden = false;
     bool one_context = false;  // draws where the panels are drawn, as where a second context cannot be had
     int coarse = 1;            // rendered at 1/N of the window's resolution
-    std::string turns;         // file for what the loop does (viewer/loop_log.h), or nothing
-    std::string layout;        // file for where the panels' words are (viewer/layout_log.h), or nothing
+    StageWish stage = StageWish::kAuto;
+    std::string turns;   // file for what the loop does (viewer/loop_log.h), or nothing
+    std::string layout;  // file for where the panels' words are (viewer/layout_log.h), or nothing
 };
 
 class Viewer {

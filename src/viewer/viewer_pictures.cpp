@@ -57,7 +57,7 @@ void Viewer::ask() {
         const bool of_b = cover_.orders[1].asks_for_rays();
         if (!busy && (cover_.accuracy->asks_for_rays() || cover_.orders[0].asks_for_rays() || of_b))
             painter_->ask({shown_.scene(), shown_.painting.job.method, true, 1.0, false,
-                           of_b ? shown_.painting.job.side_b : nullptr});
+                           of_b ? shown_.painting.job.side_b : nullptr, false, shown_.painting.job.stage});
         return;
     }
     const Scene scene = drawn_scene(view_);
@@ -72,12 +72,12 @@ void Viewer::ask() {
     PaintJob job{scene, asked_.choice.method, false,
                  adaptation_.step(seconds(), patient() || !scene.picture.auto_exposure), coarse};
     job.light = is_open(view_, kTelescopePanel);
-    job.compute = view_.compute;
+    job.stage = view_.stage;
     if (view_.side_b != nullptr) {
         const Scene b = drawn_side_b(view_);
         const Method method = method_choice(methods_.measured, view_.side_b->method, b).method;
-        job.side_b = std::make_shared<PaintJob>(
-            PaintJob{b, method, false, job.adaptation, coarse, nullptr, false, view_.compute});
+        job.side_b =
+            std::make_shared<PaintJob>(PaintJob{b, method, false, job.adaptation, coarse, nullptr, false, view_.stage});
     }
     painter_->ask(std::move(job));
 }

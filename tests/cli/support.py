@@ -117,7 +117,7 @@ class CliTest(unittest.TestCase):
         """before: called in the new process, to set its limits. environment: variables to add."""
         done = subprocess.run([BINARY, *map(str, arguments)], capture_output=True, timeout=LONGEST_S, cwd=self.folder,
                               preexec_fn=before,
-                              env={**os.environ, **(environment or {})})
+                              env={**os.environ, "XDG_STATE_HOME": str(self.folder / "state"), **(environment or {})})
         ran = Ran(done)
         self.assertEqual(ran.status, status, f"nullscope {' '.join(map(str, arguments))}\n{ran}")
         return ran

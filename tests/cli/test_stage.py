@@ -41,7 +41,8 @@ class Stage(support.CliTest):
         self.assertEqual(pixels(whole), pixels(old))
         self.assertNotIn("compute", png_texts(old)["nullscope.renderer"])
         plan = self.run_nullscope("plan", "sky-only", "--set", "camera.size=[48,27]", "--measure", "--frames", "3", "--json", environment=OLD)
-        self.assertEqual(json.loads(plan.out)["stage"], {"name": "fragment", "reason": "this OpenGL is older than 4.3"}, plan)
+        self.assertEqual(json.loads(plan.out)["stage"],
+                         {"name": "fragment", "reason": "this OpenGL is older than 4.3", "measured": []}, plan)
 
     def test_plan_says_which_draws_for_less(self):
         unmeasured = json.loads(self.run_nullscope("plan", "sky-only", "--json").out)
@@ -52,6 +53,11 @@ class Stage(support.CliTest):
         self.assertRegex(stage["reason"], r"^[\d.]+ ms a frame by fragments, [\d.]+ by compute \(", ran)
         fragment, compute = (float(word) for word in stage["reason"].replace(",", "").split()[0::6][:2])
         self.assertEqual(stage["name"], "compute" if compute < fragment else "fragment", stage)
+        remembered = json.loads(self.run_nullscope("plan", "sky-only", "--json").out)["stage"]["measured"]
+        self.assertEqual(len(remembered), 1, remembered)
+        self.assertTrue(remembered[0].startswith(stage["name"] + ": " + stage["reason"].split(" (")[0]), remembered)
+        self.assertEqual(json.loads(self.run_nullscope("plan", "kerr", "--json").out)["stage"]["measured"], [])
+        self.assertIn("\n  measured           " + remembered[0], self.run_nullscope("plan", "sky-only").out)
 
     def test_lists_of_rays_are_the_same(self):
         self.write("rays.csv", RAYS)

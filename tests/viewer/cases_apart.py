@@ -641,6 +641,28 @@ def test_no_display(screen, program, folder):
         assert "display" in done.stderr and words in done.stderr and "nullscope capture" in done.stderr, done.stderr
 
 
+def test_shaders_are_timed_once_for_each_kind_of_scene(screen, program, folder):
+    """At rest, where that is asked for though the processor draws; the next viewer knows, and one that is told nothing times nothing."""
+    kept = folder / "nullscope" / "stages.csv"
+
+    def said(*arguments):
+        with Viewer(screen, program, "--size", "640x700", "--layout", "layout.txt", *arguments, scene="sky-only", home=str(folder)) as v:
+            if "measured" in arguments:
+                wait_until("both are timed", kept.exists, HUNG_S)
+            v.settle("mousemove", *BESIDE)
+            v.click(*v.layout().place("Accuracy", "##side"))
+            v.settle()
+            return " ".join(words for window, words, _ in v.layout().texts if window.startswith("##side"))
+    assert "draws on the processor" in said() and not kept.exists(), "shaders are timed where nothing can be gained"
+    first_words = said("--shaders", "measured")
+    assert "ms a frame by fragments" in first_words, f"what was timed is not said: {first_words}"
+    first = kept.read_text()
+    assert len(first.splitlines()) == 2 and "schwarzschild strip, " in first, first
+    assert "ms a frame by fragments" in said("--shaders", "measured"), "what was timed is forgotten"
+    assert kept.read_text() == first, "what is known is timed again"
+    assert "compute: chosen by hand" in said("--shaders", "compute")
+
+
 def test_old_opengl(screen, program, folder):
     done = run(program, DISPLAY=screen.display, MESA_GL_VERSION_OVERRIDE="2.1")
     assert done.returncode == 1, f"exit status {done.returncode}"
@@ -1362,7 +1384,7 @@ CASES = [test_an_effect_is_switched_without_a_hitch,
          test_a_scene_that_cannot_be_drawn, test_no_display, test_old_opengl]
 # Of every depth but quick.
 if EVERYTHING:
-    CASES += [test_polarised_light_is_shown,
+    CASES += [test_polarised_light_is_shown, test_shaders_are_timed_once_for_each_kind_of_scene,
               test_undo_in_a_search_that_was_left_does_not_touch_the_next,
               test_coarse_pictures_fill_the_window_and_are_clicked_on,
               test_a_recording_that_was_left_is_in_the_gallery_of_the_next_viewer,
