@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestFile = 1u << 20;  // bytes: kMostRows of a thousand
 constexpr double kLongestFrame_ms = 1e7;
-constexpr const char* kHead = "device,kind,fragment_ms,compute_ms\n";
+constexpr const char* kColumns = "device,kind,fragment_ms,compute_ms\n";
 
 // Between quotes, in one line.
 std::string quoted(const std::string& text) {
@@ -84,7 +84,7 @@ Status StageMemory::keep(const std::string& device, const std::string& kind, con
     rows_.push_back({device, kind, times});
     if (rows_.size() > kMostRows) rows_.erase(rows_.begin(), rows_.end() - kMostRows);
     if (file_.empty()) return Done{};
-    std::string text = kHead;
+    std::string text = kColumns;
     for (const Row& row : rows_)
         text += fmt::format("{},{},{:.6g},{:.6g}\n", quoted(row.device), quoted(row.kind), row.times.fragment_ms,
                             row.times.compute_ms);

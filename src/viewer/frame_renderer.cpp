@@ -1,15 +1,11 @@
 #include "viewer/frame_renderer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "annotate/ticks.h"
-#include "gl/abilities.h"
 #include "render/stage_trial.h"
 #include "spacetime/registry.h"
-#include "studio/bands.h"
 #include "viewer/streamline_layer.h"
 #include "viewer/window.h"
 
@@ -36,30 +32,6 @@ void prepare_flight(Renderer& renderer) {
 }
 
 }  // namespace
-
-std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, double& ray_ms,
-                                       const DrawWatch& watch) {
-    using Stage = PaintProgress::Stage;
-    const double start = seconds();
-    constexpr double kRefined = 3.0;  // rays a pixel that edges make of one, about
-    const int samples = renderer.tables().plan().scene.picture.samples;
-    const double rays =  // in a row
-        target.width * (renderer.tables().effects().contains(Effect::kRefine) ? kRefined : samples * samples);
-    BandCutter bands(target.height, ray_ms * rays);
-    watch.tell({ray_ms > 0.0 ? Stage::kDrawing : Stage::kCompiling, 0, target.height});
-    while (!bands.done()) {
-        if (watch.give_up()) return std::nullopt;
-        const int programs = renderer.picture_programs();
-        const double begun = seconds();
-        renderer.draw_rows(target.framebuffer.id(), target.width, target.height, Output::kDisplay, bands.first(),
-                           bands.last());
-        gl::finish();  // drivers compile until the first rows are there
-        bands.took(1e3 * (seconds() - begun), renderer.picture_programs() > programs);
-        watch.tell({Stage::kDrawing, bands.first(), target.height});
-    }
-    if (bands.row_ms() > 0.0) ray_ms = bands.row_ms() / rays;
-    return DrawTimes{1e3 * (seconds() - start) - bands.compile_ms(), bands.compile_ms()};
-}
 
 FrameRenderer::FrameRenderer() { prepare_flight(renderer_); }
 
@@ -124,7 +96,7 @@ Status FrameRenderer::prepare(const Scene& scene, const PaintJob& job, const Sta
     split_ = job.rays ? std::nullopt : halves(scene);
     if (!split_) right_.reset();
     Status ready = renderer_.prepare(split_ ? split_->left : scene);
-    const bool compute = ready && computes(job.stage);
+    const bool compute = ready && stages_.computes(renderer_, job.stage);
     renderer_.compute(compute);
     if (!ready || !split_) return ready;
     if (right_ == nullptr) {
@@ -229,33 +201,12 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
     return painting;
 }
 
-bool FrameRenderer::measures(StageWish wish) const {
-    return wish == StageWish::kMeasured || (wish == StageWish::kAuto && !gl::names_software(renderer_.info().renderer));
-}
-
-bool FrameRenderer::computes(StageWish wish) {
-    const auto because = [&](bool compute, const std::string& why) {
-        stage_words_ = fmt::format("{}: {}", compute ? kComputeStage : kFragmentStage, why);
-        return compute;
-    };
-    if (wish == StageWish::kFragment || wish == StageWish::kCompute)
-        return because(wish == StageWish::kCompute, "chosen by hand");
-    if (!measures(wish))
-        return because(false, "this driver draws on the processor, where compute shaders gain nothing");
-    const std::string kind = stage_kind(renderer_);
-    if (const auto refused = refused_.find(kind); refused != refused_.end()) return because(false, refused->second);
-    const auto times = stages_.find(stage_device(renderer_), kind);
-    return times ? because(times->computes(), times->words()) : because(false, "until both are timed, at rest");
-}
-
 // As in motion: what a scene takes matters there.
 bool FrameRenderer::try_stages(const PaintJob& job, const DrawWatch& watch) {
-    if (!measures(job.stage) || job.rays || watch.give_up()) return false;
+    if (job.rays || watch.give_up() || !stages_.asks(renderer_, job.stage)) return false;
     Scene scene = job.scene;
     scene.picture.samples = 1;
-    if (!prepare(scene, job, {true, watch.give_up}) || split_) return false;
-    const std::string device = stage_device(renderer_), kind = stage_kind(renderer_);
-    if (refused_.contains(kind) || stages_.find(device, kind)) return false;
+    if (!prepare(scene, job, {true, watch.give_up}) || split_ || !stages_.asks(renderer_, job.stage)) return false;
     const gl::Target drawn = gl::make_target(scene.camera.width, scene.camera.height, gl::Format::kRgba8);
     std::array<double, 2> ray_ms{};
     const auto trial = nullscope::try_stages(renderer_, [&]() -> std::optional<double> {
@@ -263,11 +214,8 @@ bool FrameRenderer::try_stages(const PaintJob& job, const DrawWatch& watch) {
         return times ? std::optional(times->draw_ms) : std::nullopt;
     });
     if (!trial) return false;
-    if (!trial->refusal.empty())
-        refused_[kind] = trial->refusal;
-    else  // where it cannot be kept it is measured again in the next session
-        static_cast<void>(stages_.keep(device, kind, trial->times));
-    computes(job.stage);  // says it
+    stages_.take(renderer_, *trial);
+    stages_.computes(renderer_, job.stage);  // says it
     return true;
 }
 

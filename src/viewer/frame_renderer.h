@@ -3,7 +3,6 @@
 #pragma once
 #include <array>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,21 +12,14 @@
 #include "gl/gl.h"
 #include "plan/effects.h"
 #include "render/renderer.h"
-#include "render/stage_times.h"
 #include "scene/split.h"
 #include "studio/effect_watch.h"
 #include "studio/paint_job.h"
+#include "viewer/band_drawing.h"
 #include "viewer/small_light.h"
+#include "viewer/stage_pick.h"
 
 namespace nullscope::viewer {
-
-// How far a job is, for people.
-struct PaintProgress {
-    enum class Stage { kIdle, kPreparing, kCompiling, kDrawing };
-    Stage stage = Stage::kIdle;
-    int rows = 0, of = 0;  // of the picture that is drawn
-    friend bool operator==(const PaintProgress&, const PaintProgress&) = default;
-};
 
 struct Painting {
     PaintJob job;
@@ -50,21 +42,6 @@ struct Painting {
 
 // Of both sides of the painting that is shown, and of the one that waits; 0: none.
 using TexturesInUse = std::array<unsigned, 4>;
-
-// What a picture is told and asked while it is drawn.
-struct DrawWatch {
-    std::function<bool()> give_up;  // asked between bands
-    std::function<void(const PaintProgress&)> tell;
-};
-
-struct DrawTimes {
-    double draw_ms = 0.0, compile_ms = 0.0;
-};
-
-// Draws what is prepared; nothing if it was given up. ray_ms: what a ray takes in the dearest row of the last picture, by which this
-// one is cut into bands, then of this one; 0: not known.
-std::optional<DrawTimes> draw_in_bands(Renderer& renderer, const gl::Target& target, double& ray_ms,
-                                       const DrawWatch& watch);
 
 class FrameRenderer {
 public:
@@ -91,7 +68,7 @@ public:
     // pictures of the kind are drawn by what took less.
     bool try_stages(const PaintJob& job, const DrawWatch& watch);
     // Which shaders trace what was drawn last, and why: a line.
-    const std::string& stage_words() const { return stage_words_; }
+    const std::string& stage_words() const { return stages_.words(); }
 
     Renderer& renderer() { return renderer_; }
     double& ray_ms() { return ray_ms_; }
@@ -104,8 +81,6 @@ private:
     std::optional<Painting> one_picture(const PaintJob& job, double coarseness, bool first, const TexturesInUse& avoid,
                                         const DrawWatch& watch);
     Status prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search);
-    bool measures(StageWish wish) const;
-    bool computes(StageWish wish);  // what is prepared; leaves the reason in stage_words()
     // at_once: in one band.
     std::optional<DrawTimes> draw(const gl::Target& target, bool at_once, const DrawWatch& watch);
     const gl::Target& target(int width, int height, const TexturesInUse& avoid);
@@ -127,9 +102,7 @@ private:
     Method method_;
     StageWish stage_ = StageWish::kAuto;  // likewise
     bool computes_ = false;               // likewise
-    StageMemory stages_;
-    std::map<std::string, std::string> refused_;  // kinds of scenes that nothing computes here, and why
-    std::string stage_words_;
+    StagePick stages_;
     double picture_ms_ = 0.0;  // the last picture's, a ray; 0: not known
     double coarseness_ = 1.0;  // of the last picture in motion
     double compile_ms_ = 0.0;
