@@ -46,7 +46,8 @@ frames_of() { # SIZE SCENE...
     done
 }
 
-# Wall seconds of a sequence of pictures, PNG files: by one process, which waits for each picture, and by several, which draw while others wait.
+# Wall seconds of a sequence of pictures, PNG files: by one process, which draws the next picture while the last is read and
+# written, and by several.
 draw_film() { # STAGE WORKERS
     local folder begun
     folder=$(mktemp -d) begun=$(date +%s.%N)

@@ -100,10 +100,22 @@ struct FrameLoop {
     const FrameWatch& watch;
     FrameWriter writer{pictures_written_at_once(options.workers, bytes_of_frame(job.scene.camera, options))};
 
+    std::optional<DrawnPicture> in_flight{};  // drawn, its pixels on their way
+    std::function<void()> landed{};           // what follows when it is written
+
     bool keeps() const { return store != nullptr && (options.resume || options.to_film() || options.workers > 1); }
     Result<bool> draw(int frame, bool wait);
     Status draw_all();
+    Status land();  // hands what is in flight to the writer
 };
+
+Status FrameLoop::land() {
+    if (!in_flight) return Done{};
+    const DrawnPicture drawn = *std::exchange(in_flight, std::nullopt);
+    if (drawn.arrive) drawn.arrive();
+    return writer.add(
+        drawn.write ? drawn.write : [] { return Status(Done{}); }, std::move(landed));
+}
 
 // Draws a frame unless the store has it. False: another run, or worker, is drawing it.
 Result<bool> FrameLoop::draw(int frame, bool wait) {
@@ -124,7 +136,9 @@ Result<bool> FrameLoop::draw(int frame, bool wait) {
     const Stopwatch clock;
     const Exposure shown = exposure_in(job, options.time_step, frame);
     const bool numbered = store != nullptr || options.one_frame;
-    TRY(drawn, draw_for(job, session, shown, options, file, numbered ? std::optional(frame) : std::nullopt));
+    auto drawn = draw_for(job, session, shown, options, file, numbered ? std::optional(frame) : std::nullopt, true);
+    TRY(before, land());  // drawn before, whatever became of this one
+    if (!drawn) return drawn.error();
     const std::string blur = shown.sub_frames.empty()
                                  ? ""
                                  : fmt::format(", {} sub-frames in {:.1f} s", shown.sub_frames.size(), clock.seconds());
@@ -132,9 +146,8 @@ Result<bool> FrameLoop::draw(int frame, bool wait) {
     const std::string line = options.to_film() ? ""
                                                : fmt::format("{}: {}x{}, {}{}\n", files_of(file, job.scene, options),
                                                              width, height, drawn->said, blur);
-    TRY(added,
-        writer.add(
-            drawn->write ? std::move(drawn->write) : [] { return Status(Done{}); }, [done, line] { done(line); }));
+    in_flight = std::move(*drawn);
+    landed = [done, line] { done(line); };
     return true;
 }
 
@@ -145,10 +158,12 @@ Status FrameLoop::draw_all() {
         TRY(done, draw(frame, false));
         if (!*done) left.push_back(frame);
     }
+    TRY(last, land());
     TRY(written, writer.finish());  // others may wait for these
     for (const int frame : left) {
         TRY(done, draw(frame, true));
     }
+    TRY(landed_last, land());
     return writer.finish();
 }
 

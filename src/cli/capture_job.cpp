@@ -80,7 +80,8 @@ PictureOrigin origin_of(const CaptureJob& job, const CaptureOptions& options, co
 }
 
 Result<DrawnPicture> draw_for(const CaptureJob& job, Session* session, const Exposure& shown,
-                              const CaptureOptions& options, const std::string& file, std::optional<int> frame) {
+                              const CaptureOptions& options, const std::string& file, std::optional<int> frame,
+                              bool in_flight) {
     const Scene& scene = shown.scene;
     const std::optional<Scene> next =
         options.layers && frame ? next_scene(job, options.time_step, *frame) : std::nullopt;
@@ -91,16 +92,17 @@ Result<DrawnPicture> draw_for(const CaptureJob& job, Session* session, const Exp
         (options.half || (is_drawn_in_bands(scene) && !has_bands(scene)))) {
         TRY(beside, side_by_side_pictures(shown));
         TRY(said, capture_large_exr(*session, origin, *beside, options, file));
-        return DrawnPicture{std::move(*said), {}};
+        return DrawnPicture{std::move(*said), {}, {}};
     }
     const auto drawn = [&](const Exposure& one) {
         DrawOptions drawing = options.drawing();
         drawing.in_bands = drawing.in_bands || has_bands(scene);
+        drawing.in_flight = in_flight && !names_faces(options);
         return draw_shot(job, session, one, drawing, !options.plain, next ? &*next : nullptr);
     };
     if (names_faces(options)) {
         TRY(said, draw_faces(origin, shown, options, drawn));
-        return DrawnPicture{std::move(*said), {}};
+        return DrawnPicture{std::move(*said), {}, {}};
     }
     TRY(captured, drawn(shown));
     const bool several = job.split || scene.split || scene.camera.stereo != Stereo::kOff;
@@ -112,15 +114,16 @@ Result<DrawnPicture> draw_for(const CaptureJob& job, Session* session, const Exp
         const auto [x, y] = line_of_sight(scene.camera);
         said += ", " + words_of(stokes_measures(captured->stokes, x, y));
     }
-    auto kept = std::make_shared<const Captured>(std::move(*captured));  // functions are copied
-    return DrawnPicture{std::move(said), [file, origin = std::move(origin), kept, &options] {
-                            return write_picture(file, origin, *kept, options);
-                        }};
+    const auto kept = std::make_shared<Captured>(std::move(*captured));  // functions are copied
+    return DrawnPicture{
+        std::move(said), [kept] { kept->arrive(); },
+        [file, origin = std::move(origin), kept, &options] { return write_picture(file, origin, *kept, options); }};
 }
 
 Result<std::string> draw_into(const CaptureJob& job, Session* session, const Exposure& shown,
                               const CaptureOptions& options, const std::string& file, std::optional<int> frame) {
     TRY(drawn, draw_for(job, session, shown, options, file, frame));
+    if (drawn->arrive) drawn->arrive();
     if (drawn->write) {
         TRY(written, drawn->write());
     }

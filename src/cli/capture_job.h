@@ -47,11 +47,13 @@ PictureOrigin origin_of(const CaptureJob& job, const CaptureOptions& options, co
 // One picture, or two side by side, that is drawn and not yet in its file.
 struct DrawnPicture {
     std::string said;               // what it was made by, and its flux where that is known
+    std::function<void()> arrive;   // on the session's thread, before it is written: waits for the GPU
     std::function<Status()> write;  // on any thread, while job and options live; empty: it is in its file already
 };
-// session: null: the reference draws.
+// session: null: the reference draws. in_flight: arrive() is called only after the next one was begun.
 Result<DrawnPicture> draw_for(const CaptureJob& job, Session* session, const Exposure& shown,
-                              const CaptureOptions& options, const std::string& file, std::optional<int> frame);
+                              const CaptureOptions& options, const std::string& file, std::optional<int> frame,
+                              bool in_flight = false);
 // And writes it. Returns what is said of it.
 Result<std::string> draw_into(const CaptureJob& job, Session* session, const Exposure& shown,
                               const CaptureOptions& options, const std::string& file, std::optional<int> frame);

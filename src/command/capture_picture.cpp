@@ -44,6 +44,17 @@ Result<Image<unsigned char>> picture8(Session& session, const Exposure& shown, c
         session, camera, listener, [&](const PictureBand& band) { return draw_band8(*session.renderer, shown, band); });
 }
 
+Status draw_bytes(Session& session, const Exposure& shown, const DrawOptions& options, Captured& captured) {
+    if (options.in_flight && !is_drawn_in_bands(shown.scene)) {
+        TRY(coming, begin_picture8(*session.renderer, shown));
+        captured.coming = std::move(*coming);
+    } else {
+        TRY(picture, picture8(session, shown, options.listener));
+        captured.bytes = std::move(*picture);
+    }
+    return Done{};
+}
+
 Result<Image<float>> linear_picture(Session& session, const Exposure& shown, const DrawOptions& options) {
     if (!options.in_bands || !is_drawn_in_bands(shown.scene)) return draw_picture(*session.renderer, shown);
     return large_picture<float>(session, shown.scene.camera, options.listener,
@@ -82,8 +93,7 @@ Result<Captured> capture_gl(Session& session, const Exposure& shown, const DrawO
         captured.linear = std::move(*light);
         encode(shown.scene, options.sample, captured);
     } else {
-        TRY(picture, picture8(session, shown, options.listener));
-        captured.bytes = std::move(*picture);
+        TRY(drawn, draw_bytes(session, shown, options, captured));
     }
     if (captured.layers) {
         captured.stokes = captured.layers->layers.stokes;
@@ -161,6 +171,13 @@ Result<Captured> reference_st_map(const Scene& scene, const DrawOptions& options
 }
 
 }  // namespace
+
+void Captured::arrive() {
+    if (const auto read = std::exchange(coming, std::nullopt)) bytes = read->take();
+}
+
+int Captured::width() const { return coming ? coming->width : std::max(bytes.width, words.width); }
+int Captured::height() const { return coming ? coming->height : std::max(bytes.height, words.height); }
 
 void begin_drawing(Session& session, const DrawOptions& options) {
     session.renderer->want_delays(options.raydata || options.layers);

@@ -19,12 +19,18 @@ namespace nullscope::cli {
 struct Captured {
     Image<float> linear;                   // with Sample::kLight, and of the reference
     Image<unsigned char> bytes;            // with Sample::kByte: display-encoded
+    std::optional<PictureRead> coming;     // with options.in_flight, in the place of bytes until they are taken
     Image<unsigned short> words;           // with Sample::kWord: the same
     std::optional<RayFrame> rays;          // with options.raydata
     std::optional<LayeredPicture> layers;  // with options.layers
     Image<float> stokes;  // PictureLayers::stokes; with options.stokes or layers, of scenes whose light is polarised
     std::vector<BandPicture> bands;  // with options.bands, of matter that is seen at several frequencies
     std::string made_by;
+
+    void arrive();  // takes the bytes that are coming, if there are
+    // Of what is display-encoded; 0: nothing is.
+    int width() const;
+    int height() const;
 };
 
 // Of displayed pictures. Errors: bad input.

@@ -28,7 +28,8 @@ struct DrawOptions {
     bool bands = false;   // of matter that is seen at several frequencies, each
     std::string st_map;   // sky or plate: instead of colours
     Sample sample = Sample::kLight;
-    bool in_bands = false;  // linear light of large pictures is drawn in bands
+    bool in_bands = false;   // linear light of large pictures is drawn in bands
+    bool in_flight = false;  // bytes are read while the next picture is drawn, where nothing else needs them before
     Listener listener;
 };
 inline constexpr int kSamples = 3;

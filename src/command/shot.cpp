@@ -26,10 +26,9 @@ namespace {
 // Says once why there are no letters.
 void annotate(const Scene& scene, const std::optional<Halves>& split, const Listener& listener, Captured& captured) {
     static bool said = false;
-    const int width = std::max(captured.bytes.width, captured.words.width),
-              height = std::max(captured.bytes.height, captured.words.height);
-    const Marks marks = make_marks(annotations_of(scene, split), width, height);
+    const Marks marks = make_marks(annotations_of(scene, split), captured.width(), captured.height());
     if (!marks.note.empty() && !std::exchange(said, true)) listener.note(marks.note);
+    if (!marks.marks.empty()) captured.arrive();
     if (!captured.bytes.empty()) lay_over(marks.marks, captured.bytes);
     if (!captured.words.empty()) lay_over(marks.marks, captured.words);
 }
@@ -44,9 +43,9 @@ void say_no_bands(const Scene& scene, const Listener& listener) {
 Status show_polarisation(Session* session, const Scene& scene, const Listener& listener, Captured& captured) {
     const PictureSpec& picture = scene.picture;
     if (!(picture.ticks || picture.streamlines) || !is_polarised(scene)) return Done{};
-    const int width = std::max(captured.bytes.width, captured.words.width),
-              height = std::max(captured.bytes.height, captured.words.height);
+    const int width = captured.width(), height = captured.height();
     if (width == 0) return Done{};
+    captured.arrive();
     if (session == nullptr) {
         listener.note("picture.ticks and picture.streamlines are drawn by the shader only");
         return Done{};
@@ -165,6 +164,7 @@ Result<Captured> draw_shot(const Shot& shot, Session* session, const Exposure& s
     const bool stereo = scene.camera.stereo != Stereo::kOff;
     DrawOptions each = options;
     each.bands = options.bands && !stereo && !split;  // of two pictures there are none
+    each.in_flight = options.in_flight && !stereo && !split;
     if (options.bands && !each.bands) say_no_bands(scene, options.listener);
     TRY(captured, stereo ? capture_stereo(session, shown, each)
                          : capture_picture(session, split ? half(&Halves::left) : shown, each, next));

@@ -64,6 +64,15 @@ Result<Image<unsigned char>> draw_picture8(Renderer& renderer, const Exposure& s
     return renderer.displayed(*light);  // by the last sub-frame's exposure, which is the scene's
 }
 
+Result<PictureRead> begin_picture8(Renderer& renderer, const Exposure& shown) {
+    if (shown.sub_frames.empty()) {
+        if (Status ready = renderer.prepare(shown.scene); !ready) return ready.error();
+        return renderer.begin_picture8();
+    }
+    TRY(drawn, draw_picture8(renderer, shown));
+    return PictureRead{drawn->width, drawn->height, [picture = std::move(*drawn)] { return picture; }};
+}
+
 Result<Image<float>> draw_picture(Renderer& renderer, const Exposure& shown) {
     return mean_light(shown, [&](const Scene& scene) -> Result<Image<float>> {
         if (Status ready = renderer.prepare(scene); !ready) return ready.error();

@@ -30,6 +30,8 @@ Result<Image<float>> draw_band(Renderer& renderer, const Exposure& shown, Pictur
 
 // The same of a whole picture that is drawn at once.
 Result<Image<unsigned char>> draw_picture8(Renderer& renderer, const Exposure& shown);
+// The same, handed over while the next is prepared and drawn.
+Result<PictureRead> begin_picture8(Renderer& renderer, const Exposure& shown);
 Result<Image<float>> draw_picture(Renderer& renderer, const Exposure& shown);
 
 }  // namespace nullscope

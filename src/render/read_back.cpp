@@ -1,24 +1,35 @@
 // What Renderer draws to be read back: pictures in floats and bytes, ray data, lists of rays.
 #include <algorithm>
+#include <memory>
 #include <utility>
 
+#include "gl/pixel_read.h"
 #include "render/ray_list_target.h"
 #include "render/renderer.h"
 #include "scene/bodies.h"
 
 namespace nullscope {
 
-// The target's colours, read by `read`; rows from the top.
-template <class T, class Read>
-Image<T> Renderer::read_back(const gl::Target& target, Read read) {
-    const int w = target.width, h = target.height;
-    std::vector<T> rgba(static_cast<std::size_t>(w) * h * 4);
-    read(target, rgba.data());
+namespace {
+
+// RGB of four channels; rows from the top, of rows from the bottom.
+template <class T>
+Image<T> turned(int w, int h, const T* rgba) {
     Image<T> image(w, h, 3);
     for (int y = 0; y < h; ++y)
         for (int x = 0; x < w; ++x)
-            std::copy_n(rgba.data() + 4 * (static_cast<std::size_t>(h - 1 - y) * w + x), 3, image.at(x, y));
+            std::copy_n(rgba + 4 * (static_cast<std::size_t>(h - 1 - y) * w + x), 3, image.at(x, y));
     return image;
+}
+
+}  // namespace
+
+// The target's colours, read by `read`; rows from the top.
+template <class T, class Read>
+Image<T> Renderer::read_back(const gl::Target& target, Read read) {
+    std::vector<T> rgba(static_cast<std::size_t>(target.width) * target.height * 4);
+    read(target, rgba.data());
+    return turned(target.width, target.height, rgba.data());
 }
 
 gl::Target Renderer::picture_target(gl::Format format) const {
@@ -29,6 +40,17 @@ Image<unsigned char> Renderer::picture8() {
     const gl::Target target = picture_target(gl::Format::kRgba8);
     draw(target.framebuffer.id(), target.width, target.height, Output::kDisplay);
     return read_back<unsigned char>(target, gl::read_rgba8);
+}
+
+PictureRead Renderer::begin_picture8() {
+    const gl::Target target = picture_target(gl::Format::kRgba8);
+    draw(target.framebuffer.id(), target.width, target.height, Output::kDisplay);
+    const auto read = std::make_shared<gl::PixelRead>(target);  // functions are copied
+    return {target.width, target.height, [read] {
+                Image<unsigned char> image;
+                read->take([&](const unsigned char* rgba) { image = turned(read->width(), read->height(), rgba); });
+                return image;
+            }};
 }
 
 Image<float> Renderer::picture() { return drawn(Output::kLinear); }

@@ -30,6 +30,12 @@
 
 namespace nullscope {
 
+// A drawn picture whose bytes are on their way; RGB, display-encoded, rows from the top.
+struct PictureRead {
+    int width = 0, height = 0;
+    std::function<Image<unsigned char>()> take;  // waits for them; once, in the context that has drawn it
+};
+
 class Renderer {
 public:
     Renderer();
@@ -130,6 +136,7 @@ public:
 
     // The prepared scene, read back; rows from the top.
     Image<unsigned char> picture8();  // RGB, display-encoded
+    PictureRead begin_picture8();     // the same, handed over while other things are prepared and drawn
     Image<float> picture();           // RGB, linear light
     // What picture8() makes of this light, of the prepared scene's size, in the place of the scene's.
     Image<unsigned char> displayed(const Image<float>& light);

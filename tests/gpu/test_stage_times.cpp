@@ -9,6 +9,7 @@
 
 #include "render/stage_times.h"
 #include "render/stage_trial.h"
+#include "scenefile/scene_file.h"
 #include "support/gpu_session.h"
 #include "support/temporary_folder.h"
 
