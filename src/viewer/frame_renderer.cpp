@@ -12,15 +12,8 @@
 namespace nullscope::viewer {
 namespace {
 
-constexpr double kMotion_ms = 30.0;  // what a picture in motion should take: 30 a second, with what shows them
-constexpr double kMotionInMatter_ms =
-    50.0;  // with matter: 20 a second, for a picture of a quarter of the pixels costs more than a third
 constexpr double kAtOnce_ms =
     1e-9;  // of a ray, taken where a picture is no longer than the window may wait: it is one band
-constexpr double kUnknownCoarseness = 4.0;  // of a picture of unknown cost: a sixteenth of its pixels
-constexpr double kMostCoarse = 8.0;
-constexpr double kCoarser = 1.25;    // steps of sizes: textures of each are made once
-constexpr double kFinerBelow = 0.7;  // of the time that the next finer size may take: else sizes would alternate
 constexpr int kLightInMotion_px = 96, kLight_px = 256;  // longest side of the light for telescopes
 constexpr double kLeastSide_px = 32.0;                  // of a coarse picture: with less there is nothing to see
 
@@ -35,19 +28,46 @@ void prepare_flight(Renderer& renderer) {
 
 FrameRenderer::FrameRenderer() { prepare_flight(renderer_); }
 
-bool FrameRenderer::build_next() {
-    return renderer_.build_next() || (right_ != nullptr && right_->build_next()) ||
-           (side_b_ != nullptr && side_b_->build_next());
+bool FrameRenderer::renderers_build_next() {
+    return renderer_.build_next() || (right_ != nullptr && right_->build_next());
 }
+
+bool FrameRenderer::build_next() { return renderers_build_next() || (side_b_ != nullptr && side_b_->build_next()); }
 
 void FrameRenderer::warm_up(const PaintJob& job, const TexturesInUse& avoid, const DrawWatch& watch) {
     if (job.side_b != nullptr && side_b_ != nullptr) side_b_->warm_up(*job.side_b, avoid, watch);
-    if (warm_ == std::pair(effects_, method_) || job.rays) return;
+    if (is_warm(job) || job.rays) return;
     const double ray_ms = ray_ms_, picture_ms = picture_ms_, compile_ms = compile_ms_;
     const auto half_ray_ms = half_ray_ms_;
-    one_picture(job, kMostCoarse, true, avoid, watch);
-    ray_ms_ = ray_ms, half_ray_ms_ = half_ray_ms, picture_ms_ = picture_ms, compile_ms_ = compile_ms;
     warm_ = std::pair(effects_, method_);
+    bool warm = static_cast<bool>(prepare(in_motion(job), job, {true, watch.give_up}));
+    while (warm && renderers_build_next()) warm = !watch.give_up();
+    // As large as can be: what it takes while nothing else is drawn tells how large pictures in motion may be.
+    const auto drawn = warm ? one_picture(job, 1.0, true, avoid, watch) : std::nullopt;
+    if (!drawn) warm_.reset();
+    quiet_ray_ms_ = drawn ? drawn->draw_ms / (static_cast<double>(drawn->width) * drawn->height) : 0.0;
+    ray_ms_ = ray_ms, half_ray_ms_ = half_ray_ms, picture_ms_ = picture_ms, compile_ms_ = compile_ms;
+}
+
+bool FrameRenderer::is_warm(const PaintJob& job) const {
+    return warm_ == std::pair(with_one_ray(effect_set(required_effects(job.scene))), job.method);
+}
+
+// Of one ray a pixel; once its programs are there without what more rays on edges need: light is kept, looked at and developed for those, which
+// takes as much again as a sky's picture.
+Scene FrameRenderer::in_motion(const PaintJob& job) const {
+    Scene scene = job.scene;
+    scene.picture.samples = 1;
+    scene.picture.refine = scene.picture.refine && !is_warm(job);
+    return scene;
+}
+
+// As ray_picture_ms(), of pictures that were drawn unseen.
+double FrameRenderer::quiet_ray_ms(const PaintJob& job) const {
+    if (!is_warm(job)) return 0.0;
+    if (job.side_b == nullptr) return quiet_ray_ms_;
+    const double other = side_b_ != nullptr ? side_b_->quiet_ray_ms(*job.side_b) : 0.0;
+    return quiet_ray_ms_ > 0.0 && other > 0.0 ? quiet_ray_ms_ + other : 0.0;
 }
 
 // Of a picture in motion, both sides together; 0: not known.
@@ -70,21 +90,12 @@ bool FrameRenderer::drafts(const PaintJob& job) const {
 double FrameRenderer::coarseness(const PaintJob& job) {
     if (!job.coarse_first || job.rays) return 1.0;
     const CameraSpec& camera = job.scene.camera;
-    const double ray_ms = ray_picture_ms(job);
-    const bool known = ray_ms > 0.0;
-    // The last picture's, and how it changes with the size: by its pixels, or where light of matter is interpolated by its sides.
-    const double last = coarseness_, last_ms = ray_ms * camera.width * camera.height / (last * last);
-    const bool matter = interpolates_matter(effect_set(required_effects(job.scene)));
-    const auto fits = [&](double coarseness, double share) {
-        return last_ms * std::pow(last / coarseness, matter ? 1 : 2) <=
-               share * (matter ? kMotionInMatter_ms : kMotion_ms);
-    };
-    double& times = coarseness_;
-    if (!known) times = kUnknownCoarseness;
-    while (known && times > 1.0 && fits(times / kCoarser, kFinerBelow)) times = std::max(times / kCoarser, 1.0);
-    while (known && times < kMostCoarse && !fits(times, 1.0)) times *= kCoarser;
+    const double pixels = static_cast<double>(camera.width) * camera.height;
+    const double times =
+        motion_size_.next({ray_picture_ms(job) * pixels / (coarseness_ * coarseness_), quiet_ray_ms(job) * pixels,
+                           interpolates_matter(effect_set(required_effects(job.scene)))});
     const double most = std::min(camera.width, camera.height) / kLeastSide_px;
-    return std::clamp(times, 1.0, std::max(most, 1.0));
+    return coarseness_ = std::clamp(times, 1.0, std::max(most, 1.0));
 }
 
 Status FrameRenderer::prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search) {
@@ -164,8 +175,7 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
     if (watch.give_up()) return std::nullopt;
     Painting painting;
     painting.job = job;
-    Scene scene = job.scene;
-    if (first) scene.picture.samples = 1;
+    Scene scene = first ? in_motion(job) : job.scene;
     scene.camera.width = painting.width = static_cast<int>(std::lround(scene.camera.width / coarseness));
     scene.camera.height = painting.height = static_cast<int>(std::lround(scene.camera.height / coarseness));
     watch.tell({PaintProgress::Stage::kPreparing, 0, painting.height});
@@ -204,8 +214,7 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
 // As in motion: what a scene takes matters there.
 bool FrameRenderer::try_stages(const PaintJob& job, const DrawWatch& watch) {
     if (job.rays || watch.give_up() || !stages_.asks(renderer_, job.stage)) return false;
-    Scene scene = job.scene;
-    scene.picture.samples = 1;
+    const Scene scene = in_motion(job);
     if (!prepare(scene, job, {true, watch.give_up}) || split_ || !stages_.asks(renderer_, job.stage)) return false;
     const gl::Target drawn = gl::make_target(scene.camera.width, scene.camera.height, gl::Format::kRgba8);
     std::array<double, 2> ray_ms{};

@@ -14,6 +14,7 @@
 #include "render/renderer.h"
 #include "scene/split.h"
 #include "studio/effect_watch.h"
+#include "studio/motion_size.h"
 #include "studio/paint_job.h"
 #include "viewer/band_drawing.h"
 #include "viewer/small_light.h"
@@ -77,7 +78,11 @@ public:
     void drop_other() { other_.reset(); }
 
 private:
+    bool renderers_build_next();  // without side B's
+    bool is_warm(const PaintJob& job) const;
+    Scene in_motion(const PaintJob& job) const;
     double ray_picture_ms(const PaintJob& job) const;
+    double quiet_ray_ms(const PaintJob& job) const;
     std::optional<Painting> one_picture(const PaintJob& job, double coarseness, bool first, const TexturesInUse& avoid,
                                         const DrawWatch& watch);
     Status prepare(const Scene& scene, const PaintJob& job, const StarField::Search& search);
@@ -103,10 +108,12 @@ private:
     StageWish stage_ = StageWish::kAuto;  // likewise
     bool computes_ = false;               // likewise
     StagePick stages_;
-    double picture_ms_ = 0.0;  // the last picture's, a ray; 0: not known
+    double picture_ms_ = 0.0;    // the last picture's, a ray; 0: not known
+    double quiet_ray_ms_ = 0.0;  // likewise, of one that nothing else was drawn beside
+    MotionSize motion_size_;
     double coarseness_ = 1.0;  // of the last picture in motion
     double compile_ms_ = 0.0;
-    std::optional<std::pair<EffectSet, Method>> warm_;
+    std::optional<std::pair<EffectSet, Method>> warm_;  // of which all programs of motion are there
 };
 
 }  // namespace nullscope::viewer
