@@ -211,11 +211,14 @@ std::optional<Painting> FrameRenderer::one_picture(const PaintJob& job, double c
     return painting;
 }
 
+bool FrameRenderer::asks_to_try_stages(const PaintJob& job) const {
+    return !job.rays && !split_ && stages_.asks(renderer_, job.stage);
+}
+
 // As in motion: what a scene takes matters there.
 bool FrameRenderer::try_stages(const PaintJob& job, const DrawWatch& watch) {
-    if (job.rays || watch.give_up() || !stages_.asks(renderer_, job.stage)) return false;
     const Scene scene = in_motion(job);
-    if (!prepare(scene, job, {true, watch.give_up}) || split_ || !stages_.asks(renderer_, job.stage)) return false;
+    if (watch.give_up() || !prepare(scene, job, {true, watch.give_up}) || !asks_to_try_stages(job)) return false;
     const gl::Target drawn = gl::make_target(scene.camera.width, scene.camera.height, gl::Format::kRgba8);
     std::array<double, 2> ray_ms{};
     const auto trial = nullscope::try_stages(renderer_, [&]() -> std::optional<double> {

@@ -65,8 +65,9 @@ public:
     // Draws a small picture in motion, unseen, once for every set of programs: drivers compile what its state asks for at the first draw.
     void warm_up(const PaintJob& job, const TexturesInUse& avoid, const DrawWatch& watch);
 
-    // Times fragment and compute shaders, if the job leaves it to that and such a scene was not timed on this device; whether it did. The next
-    // pictures of the kind are drawn by what took less.
+    // Whether the job leaves to their times which shaders trace it, and such a scene, as it was drawn last, was not timed on this device.
+    bool asks_to_try_stages(const PaintJob& job) const;
+    // Times fragment and compute shaders then; whether it did. The next pictures of the kind are drawn by what took less.
     bool try_stages(const PaintJob& job, const DrawWatch& watch);
     // Which shaders trace what was drawn last, and why: a line.
     const std::string& stage_words() const { return stages_.words(); }

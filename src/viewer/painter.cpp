@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kTimedFrames = 9, kLeastTimed = 3;  // of each scene, in turn; their median counts
 constexpr std::chrono::milliseconds kRestBeforeWhole{100};
-constexpr double kLongestTiming = 4.0;  // s for an effect, unless its least frames take more
+constexpr std::chrono::milliseconds kRestBeforeTrial{1500};  // of shaders, whose compiling keeps a job waiting
+constexpr double kLongestTiming = 4.0;                       // s for an effect, unless its least frames take more
 
 double median(std::vector<double> values) {
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
@@ -234,8 +235,12 @@ void Painter::do_job(FrameRenderer& frame_renderer, const PaintJob& job) {
 
 // At work meanwhile, for a program may take seconds to compile.
 void Painter::try_stages(FrameRenderer& frame_renderer, const PaintJob& job) {
+    if (!frame_renderer.asks_to_try_stages(job)) return;
     {
-        const std::lock_guard lock(mutex_);
+        std::unique_lock lock(mutex_);
+        wake_.wait_for(lock, thread_.get_stop_token(), kRestBeforeTrial,
+                       [this] { return job_ || order_ || polarisation_ || loop_due_; });
+        if (job_ || order_ || polarisation_ || loop_due_) return;
         at_work_ = true;
     }
     const bool tried = frame_renderer.try_stages(job, quiet_watch());
