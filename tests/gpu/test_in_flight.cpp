@@ -11,7 +11,7 @@ namespace {
 
 using namespace nullscope;
 
-Scene small(const std::string& name) {
+Scene thumbnail_of(const std::string& name) {
     Scene scene = *load_scene(name);
     scene.camera.width = 96, scene.camera.height = 54;
     return scene;
@@ -26,7 +26,7 @@ TEST_CASE("in flight: a picture is as it was when it was drawn, whatever was dra
         std::vector<Image<unsigned char>> at_once;
         std::vector<PictureRead> coming;
         for (const char* name : {"first-light", "kerr", "flat"}) {
-            REQUIRE(renderer.prepare(small(name)));
+            REQUIRE(renderer.prepare(thumbnail_of(name)));
             at_once.push_back(renderer.picture8());
             coming.push_back(renderer.begin_picture8());
         }
