@@ -16,7 +16,7 @@ using test::picked;
 
 namespace {
 
-Scene sized(const char* name, int width, int height) {
+Scene sized_refined(const char* name, int width, int height) {
     auto scene = load_scene(name);
     REQUIRE(scene);
     scene->camera.width = width, scene->camera.height = height;
@@ -24,7 +24,7 @@ Scene sized(const char* name, int width, int height) {
     return *scene;
 }
 
-Image<unsigned char> drawn(Renderer& renderer, Scene scene, bool refine, int samples = 1) {
+Image<unsigned char> drawn_refined(Renderer& renderer, Scene scene, bool refine, int samples = 1) {
     scene.picture.refine = refine;
     scene.picture.samples = samples;
     REQUIRE(renderer.prepare(scene));
@@ -33,14 +33,14 @@ Image<unsigned char> drawn(Renderer& renderer, Scene scene, bool refine, int sam
 
 TEST_CASE("refine: edges are those of 16 x 16 rays a pixel of the reference" * test::costly()) {
     constexpr double kMean = 2.0, kThousandth = 24.0;
-    const Scene scene = sized("first-light", 960, 540);
+    const Scene scene = sized_refined("first-light", 960, 540);
     test::Places places;  // a tenth of a million
     for (int y = 2; y < scene.camera.height; y += test::by_depth(5, 5, 1))
         for (int x = 0; x < scene.camera.width; ++x) places.push_back({x, y});
     const Image<unsigned char> exact = test::ExactPixels(scene, 2048).shown(scene, test::by_depth(6, 16, 16), places);
     test::on_one_context([&](test::GpuSession& session) {
-        const Off one = off_between(picked(drawn(*session.renderer, scene, false), places), exact),
-                  many = off_between(picked(drawn(*session.renderer, scene, true), places), exact);
+        const Off one = off_between(picked(drawn_refined(*session.renderer, scene, false), places), exact),
+                  many = off_between(picked(drawn_refined(*session.renderer, scene, true), places), exact);
         fmt::print("{}: off by {:.3f} of 255, a thousandth by {}; with one ray {:.3f}, {}; {:.1f} % of the pixels\n",
                    session.context->kind(), many.mean, many.thousandth, one.mean, one.thousandth,
                    100.0 * session.renderer->refined_share());
@@ -55,13 +55,13 @@ TEST_CASE("refine: the same in tiles and in bands, and nothing changes where the
     for (const char* name : {"first-light", "earth", "kerr", "accretion"}) {
         if (!selection.takes_next()) continue;
         CAPTURE(std::string(name));
-        const Scene scene = sized(name, 190, 108);
+        const Scene scene = sized_refined(name, 190, 108);
         Scene dark = scene;
         dark.sky.kind = SkyKind::kBlack;  // a sky is filtered otherwise where edges are refined
         test::on_one_context([&](test::GpuSession& session) {
             Renderer& renderer = *session.renderer;
             renderer.limit_tiles(Tiles::kNone);
-            const auto plain = drawn(renderer, dark, false), edges = drawn(renderer, dark, true);
+            const auto plain = drawn_refined(renderer, dark, false), edges = drawn_refined(renderer, dark, true);
             const double share = renderer.refined_share();
             CHECK(share > 0.005);
             CHECK(share < 0.4);
@@ -71,9 +71,9 @@ TEST_CASE("refine: the same in tiles and in bands, and nothing changes where the
                                        [](int a, int b) { return std::abs(a - b) <= 1; });
             CHECK(changed > 0);
             CHECK(3.0 * changed <= share * static_cast<double>(edges.data.size()) * 1.0001);
-            const auto whole = drawn(renderer, scene, true);
+            const auto whole = drawn_refined(renderer, scene, true);
             renderer.limit_tiles(Tiles::kTraced);
-            CHECK(off_between(drawn(renderer, scene, true), whole).thousandth <= 1.0);
+            CHECK(off_between(drawn_refined(renderer, scene, true), whole).thousandth <= 1.0);
             CHECK(off_between(test::drawn_in_pieces(renderer, 190, 108, {0, 8, 33, 34, 64, 108}), whole).most <= 1);
             renderer.limit_tiles(Tiles::kBodies);
         });

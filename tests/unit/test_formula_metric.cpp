@@ -35,7 +35,7 @@ struct World {
     std::shared_ptr<const DeflectionTable> table;
     std::shared_ptr<reference::Metric> reference;
 };
-World world_of(const std::string& metric, const MetricParameters& parameters = {}) {
+World formula_world(const std::string& metric, const MetricParameters& parameters = {}) {
     World world;
     const auto made = make_spacetime(metric, parameters);
     REQUIRE_MESSAGE(made, made.error().message());
@@ -75,8 +75,8 @@ long each_angle_of_4k(int step, const Visit& visit) {
 constexpr double kSameAngle = 1e-9;  // rad: a pixel of a 4K frame is 2.7e-4
 
 TEST_CASE("formula: Schwarzschild's table from a formula is the built-in one at every pixel of a 4K frame") {
-    const World formula = world_of("formula", formulas("1 - 1/r", "1/(1 - 1/r)", "r")),
-                hole = world_of("schwarzschild");
+    const World formula = formula_world("formula", formulas("1 - 1/r", "1/(1 - 1/r)", "r")),
+                hole = formula_world("schwarzschild");
     const RayFamily a = fan_at_rest(formula, 15), b = fan_at_rest(hole, 15);
     double worst = 0;
     const long count = each_angle_of_4k(test::by_depth(7, 1, 1), [&](double beta) {
@@ -87,7 +87,7 @@ TEST_CASE("formula: Schwarzschild's table from a formula is the built-in one at 
     fmt::print("formula, 4K, table: {} pixels, largest difference {:.2g} rad\n", count, worst);
     CHECK(worst < kSameAngle);
     // It can fail: a mass that is larger by 1e-9.
-    const RayFamily heavier = fan_at_rest(world_of("formula", formulas("1 - 1.000000001/r")), 15);
+    const RayFamily heavier = fan_at_rest(formula_world("formula", formulas("1 - 1.000000001/r")), 15);
     double shown = 0;
     each_angle_of_4k(10007, [&](double beta) {
         shown = std::fmax(shown, std::fabs(seen_at(heavier, beta).swept - seen_at(b, beta).swept));
@@ -96,7 +96,7 @@ TEST_CASE("formula: Schwarzschild's table from a formula is the built-in one at 
 }
 
 TEST_CASE("formula: Schwarzschild's reference from a formula is the built-in one on a 4K frame") {
-    const World formula = world_of("formula", formulas("1 - 1/r")), hole = world_of("schwarzschild");
+    const World formula = formula_world("formula", formulas("1 - 1/r")), hole = formula_world("schwarzschild");
     for (const double r : {15.0, 1.3}) {  // within the photon sphere, too
         double worst = 0;
         const long count = each_angle_of_4k(test::by_depth(4001, 127, 31), [&](double beta) {
@@ -154,7 +154,7 @@ TEST_CASE("formula: swept angles of the table are the reference's") {
                       formulas("1 - 1/(r + 0.1/r)", "(1 - 0.1/r^2)^2/(1 - 1/(r + 0.1/r))", "r + 0.1/r"),
                       {1.0, 1.5, 30.0},
                       false}}) {
-        const World world = world_of("formula", c.parameters);
+        const World world = formula_world("formula", c.parameters);
         double worst = 0;
         for (const double r : c.radii) {
             const double error = worst_sweep(world, fan_at_rest(world, r), r, false);
@@ -171,8 +171,8 @@ TEST_CASE("formula: swept angles of the table are the reference's") {
 }
 
 TEST_CASE("formula: the same hole with r measured otherwise bends light the same") {
-    const World hole = world_of("schwarzschild"),
-                moved = world_of("formula", formulas("1 - 1/(r + 0.5)", "", "r + 0.5"));
+    const World hole = formula_world("schwarzschild"),
+                moved = formula_world("formula", formulas("1 - 1/(r + 0.5)", "", "r + 0.5"));
     CHECK(*moved.spacetime->horizon_radius() == doctest::Approx(0.5).epsilon(1e-14));
     const RayFamily a = fan_at_rest(hole, 15), b = fan_at_rest(moved, 14.5);
     double worst = 0;
@@ -212,7 +212,7 @@ TEST_CASE("formula: photon spheres, critical impact parameters and horizons to 1
 // Of a static observer: sin^2(alpha) = b_crit^2 A(r)/r^2 with 1/b_crit^2 = 4/27 - Lambda/3, whatever r (Stuchlik and Hledik 1999).
 TEST_CASE("formula: Kottler's shadow between the two horizons is the closed form") {
     for (const auto& [text, lambda] : {std::pair{kKottler, 0.0002}, {kStrongKottler, 0.05}}) {
-        const World world = world_of("formula", formulas(text));
+        const World world = formula_world("formula", formulas(text));
         const auto range = world.spacetime->camera_range();
         double worst = 0;
         for (int i = 1; i < 200; ++i) {
@@ -233,7 +233,7 @@ TEST_CASE("formula: Kottler's shadow between the two horizons is the closed form
 
 TEST_CASE("formula: places along rays are the reference's, also where V does not vanish far out") {
     constexpr double kPlace = 2e-6;  // of zeta, in floats, over the ray's conditioning (orbit_table.h)
-    const World world = world_of("formula", formulas(kKottler));
+    const World world = formula_world("formula", formulas(kKottler));
     const RayFamily family = fan_at_rest(world, 30);
     const OrbitTable map = build_orbit_table(family, false);
     // The columns' own rays: the nodes of u at whole octaves.
@@ -263,7 +263,7 @@ TEST_CASE("formula: two horizons are found however close they are, and double ze
     for (const double apart : {0.3, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5, 1e-6}) {
         const std::string pair = fmt::format("(1 - 0.6/r)*(1 - {:.17g}/r)", 0.6 * (1 - apart));
         CAPTURE(pair);
-        const World world = world_of("formula", formulas(pair));
+        const World world = formula_world("formula", formulas(pair));
         CHECK(*world.spacetime->horizon_radius() == doctest::Approx(0.6).epsilon(1e-9));
         CHECK(*world.reference->orbits()->horizon_radius() == doctest::Approx(0.6).epsilon(1e-12));
         const RayFamily family = fan_at_rest(world, 12);

@@ -31,7 +31,7 @@ std::shared_ptr<const Spacetime> spinning(double spin) {
 DistantLight light_of(const std::shared_ptr<const Spacetime>& spacetime, double inclination_deg) {
     return *DistantLight::make(spacetime, inclination_deg * kDegree);
 }
-DiscLine power_law(double inner, double outer, double q = 3) {
+DiscLine power_law_emission(double inner, double outer, double q = 3) {
     return {inner, outer, [q](const std::vector<double>& radii) {
                 std::vector<double> values;
                 for (const double r : radii) values.push_back(std::pow(r, -q));
@@ -89,11 +89,11 @@ TEST_CASE("line profile: extremes of g of rings") {
                                Known{0.9, 6, 30, 0.60441306, 0.95583071}, Known{0, 6, 60, 0.49707695, 1.22449057}}) {
         CAPTURE(known.r);
         const DistantLight light = light_of(spinning(known.spin), known.inclination_deg);
-        const LineProfile ring = line_profile(light, power_law(known.r / 2, known.r / 2), {}, LineCells(1));
+        const LineProfile ring = line_profile(light, power_law_emission(known.r / 2, known.r / 2), {}, LineCells(1));
         CHECK(std::fabs(ring.least_g - known.least) < kDigits);
         CHECK(std::fabs(ring.most_g - known.most) < kDigits);
     }
-    const LineProfile above = line_profile(light_of(spinning(0), 0), power_law(4, 4), {}, LineCells(0));
+    const LineProfile above = line_profile(light_of(spinning(0), 0), power_law_emission(4, 4), {}, LineCells(0));
     CHECK(std::fabs(above.least_g - std::sqrt(1 - 1.5 / 4)) < 1e-14);
     CHECK(std::fabs(above.most_g - above.least_g) < 1e-14);
 }
@@ -296,7 +296,7 @@ TEST_CASE("line profile: a ring far out in a vertical field is polarised along i
     const double r = 5e9;  // of the next order: v/c
     const auto spacetime = spinning(0.5);
     const DistantPolarisation seen(spacetime, 60 * kDegree, {0, 0, 1}, kPolarised);
-    DiscLine line = power_law(r, r);
+    DiscLine line = power_law_emission(r, r);
     line.polarisation = [&](double at) { return polarised_ring(seen, at); };
     const LineProfile ring = line_profile(light_of(spacetime, 60), line, {8, 1 - 1e-5, 1 + 1e-5}, LineCells(0));
     for (std::size_t i = 0; i < ring.photons.size(); ++i)
@@ -309,7 +309,7 @@ TEST_CASE("line profile: a ring far out has the two horns of Kepler's law") {
     // Of the next order the ends are off by some v/c of the width, where the profile is one over a root.
     const double next_order = 5 * std::sqrt(speed);
     const DistantLight light = light_of(spinning(0), inclination_deg);
-    DiscLine line = power_law(r, r);
+    DiscLine line = power_law_emission(r, r);
     const LineProfile ring = line_profile(light, line, {40, 1 - across, 1 + across}, LineCells(1));
     const double most = *std::ranges::max_element(ring.photons) / ring.all_photons;
     for (std::size_t i = 0; i < 40; ++i) {
@@ -338,7 +338,7 @@ TEST_CASE("line profile: twice the resolution changes no bin by 0.5 % of the lar
         CAPTURE(of.inclination_deg);
         const auto spacetime = spinning(of.spin);
         const DistantLight light = light_of(spacetime, of.inclination_deg);
-        const DiscLine line = power_law(of.inner > 0 ? of.inner : *innermost_stable_orbit(*spacetime), 200);
+        const DiscLine line = power_law_emission(of.inner > 0 ? of.inner : *innermost_stable_orbit(*spacetime), 200);
         const ConvergedProfile found = converged_profile(light, line, {});
         CHECK(found.change <= kConverged);
         CHECK(found.profile.photons.size() == 1000);

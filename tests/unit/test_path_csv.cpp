@@ -58,7 +58,7 @@ Result<Scene> with_path_file(Scene scene, const std::string& table) {
         "scene.toml", folder.path);
 }
 
-Scene scene_of(const std::string& text) {
+Scene path_scene(const std::string& text) {
     auto scene = parse_scene(text, "scene.toml", {});
     const std::string reason = scene ? "" : scene.error().message();
     REQUIRE_MESSAGE(scene, reason);
@@ -94,7 +94,7 @@ TEST_CASE("path csv: what is written reads back as the same cameras") {
     const std::string lens =
         "[camera]\nplane_width = 2\nfocal_distance = 3\n[path]\nkind = \"keys\"\n"
         "[[path.key]]\n[[path.key]]\nframe = 9\nr = 8\nplane_width = 1\n";
-    std::vector<std::pair<std::string, Scene>> scenes{{"keys", scene_of(kFlight)}, {"lens", scene_of(lens)}};
+    std::vector<std::pair<std::string, Scene>> scenes{{"keys", path_scene(kFlight)}, {"lens", path_scene(lens)}};
     for (const char* name : {"plunge", "kerr-plunge", "zoom"}) {
         auto scene = load_scene(name);
         REQUIRE(scene);
@@ -154,7 +154,7 @@ std::string columns_of_table(const std::string& table, const std::vector<std::st
 
 TEST_CASE("path csv: the axes that are written are the camera's, without the angles too") {
     for (const std::string name : {"plunge", "kerr-plunge", "keys"}) {
-        auto scene = name == "keys" ? Result<Scene>(scene_of(kFlight)) : load_scene(name);
+        auto scene = name == "keys" ? Result<Scene>(path_scene(kFlight)) : load_scene(name);
         REQUIRE(scene);
         const auto path = CameraPath::make(*scene);
         REQUIRE(path);
@@ -184,7 +184,7 @@ TEST_CASE("path csv: the axes that are written are the camera's, without the ang
         key.camera.theta = 0, key.camera.phi = 0.8, key.camera.yaw = 0.3, key.camera.pitch = 0.2, key.camera.roll = 1;
     const auto places = path_csv(pole, PathPlaces::kCartesian);
     REQUIRE(places);
-    const auto there = read_path_csv(*places, "t.csv", scene_of(""));
+    const auto there = read_path_csv(*places, "t.csv", path_scene(""));
     REQUIRE(there);
     CHECK(axes_off(world_from_camera(there->keys[1].camera), world_from_camera(pole[1].camera)) < 1e-14);
     // Of a zoom, whose depth and angle turn the camera, there are none.
@@ -198,7 +198,7 @@ TEST_CASE("path csv: the axes that are written are the camera's, without the ang
 }
 
 TEST_CASE("path csv: columns may be left out, and stand in any order") {
-    const Scene scene = scene_of("[camera]\nr = 7\nfov = 33\ntheta = 80\n");
+    const Scene scene = path_scene("[camera]\nr = 7\nfov = 33\ntheta = 80\n");
     const auto table =
         read_path_csv("\xef\xbb\xbf# made elsewhere\nyaw, \"phi\"\r\n10,350\r\n\n20,10\r\n", "t.csv", scene);
     REQUIRE(table);
@@ -238,7 +238,7 @@ TEST_CASE("path csv: the camera's axes in world axes are those of yaw, pitch and
         cameras.push_back(camera);
     }
     for (const std::string& table : {angles, looks, turns}) {
-        const auto read = read_path_csv(table, "t.csv", scene_of(""));
+        const auto read = read_path_csv(table, "t.csv", path_scene(""));
         const std::string reason = read ? "" : read.error().message();
         REQUIRE_MESSAGE(read, reason);
         CHECK(read->by_axes == (table != angles));
@@ -250,7 +250,7 @@ TEST_CASE("path csv: the camera's axes in world axes are those of yaw, pitch and
         CHECK(most < 2e-12);
     }
     // The quaternion that turns nothing: right, up and backward are x, y and z.
-    const auto plain = read_path_csv("qw,qx,qy,qz\n1,0,0,0\n0,0,0,-1\n", "t.csv", scene_of("[camera]\nphi = 33\n"));
+    const auto plain = read_path_csv("qw,qx,qy,qz\n1,0,0,0\n0,0,0,-1\n", "t.csv", path_scene("[camera]\nphi = 33\n"));
     REQUIRE(plain);
     CHECK(axes_off(world_from_camera(plain->keys[0].camera), Mat3{}) < 1e-15);
     CHECK(axes_off(world_from_camera(plain->keys[1].camera), {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}) < 1e-15);
@@ -266,7 +266,7 @@ TEST_CASE("path csv: between rows with axes the camera turns the shortest way at
     const Quaternion a = about(0.3), b = about(0.3 + angle);
     const std::string table = fmt::format("frame,x,y,z,qw,qx,qy,qz\n5,9,0,1,{},{},{},{}\n15,4,7,-2,{},{},{},{}\n", a.w,
                                           a.x, a.y, a.z, -b.w, -b.x, -b.y, -b.z);
-    const Scene still = scene_of("[path]\nkind = \"keys\"\n[[path.key]]\n[[path.key]]\nr = 9\n");
+    const Scene still = path_scene("[path]\nkind = \"keys\"\n[[path.key]]\n[[path.key]]\nr = 9\n");
     const auto scene = with_path_file(still, table);
     const std::string reason = scene ? "" : scene.error().message();
     REQUIRE_MESSAGE(scene, reason);
@@ -293,7 +293,7 @@ TEST_CASE("path csv: between rows with axes the camera turns the shortest way at
 }
 
 TEST_CASE("path csv: errors name file, line, column and what is allowed") {
-    const Scene scene = scene_of("");
+    const Scene scene = path_scene("");
     struct Case {
         const char *table, *message;
     };
@@ -369,7 +369,7 @@ TEST_CASE("path csv: errors name file, line, column and what is allowed") {
 }
 
 TEST_CASE("path csv: of a scene file") {
-    const Scene scene = scene_of("[path]\nkind = \"keys\"\n[[path.key]]\n[[path.key]]\nr = 9\n");
+    const Scene scene = path_scene("[path]\nkind = \"keys\"\n[[path.key]]\n[[path.key]]\nr = 9\n");
     const auto said = [](const Result<Scene>& read) { return read ? "" : read.error().message(); };
     CHECK(said(with_path_file(scene, "r\n9\n0\n"))
               .ends_with("camera.csv:3: r: a static camera cannot be at 0, on or inside the horizon; allowed: r > 1"));

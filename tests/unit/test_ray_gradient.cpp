@@ -260,7 +260,7 @@ Tally tally_of(const GradientCase& of, int rays, std::size_t parameters) {
     return tally;
 }
 
-MetricParameters formulas(const char* a, const char* b, const char* r) {
+MetricParameters gradient_formulas(const char* a, const char* b, const char* r) {
     MetricParameters parameters;
     parameters.formulas = {{"A", a}, {"B", b}, {"R", r}};
     return parameters;
@@ -271,7 +271,7 @@ const GradientCase kGradientCases[] = {
     {"reissner-nordstrom", MetricParameters({{"charge", 0.8}}), 1.2},
     {"kerr", MetricParameters({{"spin", 0.9}}), 1.3},
     {"kerr-newman", MetricParameters({{"spin", 0.6}, {"charge", 0.6}}), 1.3},
-    {"formula", formulas("1 - 1/r - 0.1/r^3", "1/(1 - 1/r - 0.1/r^3)", "r"), 1.4},
+    {"formula", gradient_formulas("1 - 1/r - 0.1/r^3", "1/(1 - 1/r - 0.1/r^3)", "r"), 1.4},
 };
 
 TEST_CASE("ray gradients: as differences of the reference, or near an edge") {

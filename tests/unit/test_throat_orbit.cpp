@@ -21,7 +21,7 @@ struct ThroatOrbitWorld {
     std::shared_ptr<const DeflectionTable> table;
     std::shared_ptr<reference::Metric> reference;
 };
-ThroatOrbitWorld world_of(const std::string& metric, const std::map<std::string, double>& parameters) {
+ThroatOrbitWorld throat_world(const std::string& metric, const std::map<std::string, double>& parameters) {
     ThroatOrbitWorld world;
     world.spacetime = test::spherical(metric, parameters);
     world.table = std::make_shared<const DeflectionTable>(*world.spacetime);
@@ -29,9 +29,9 @@ ThroatOrbitWorld world_of(const std::string& metric, const std::map<std::string,
     return world;
 }
 std::vector<ThroatOrbitWorld> worlds() {
-    std::vector<ThroatOrbitWorld> all{world_of("ellis", {}), world_of("ellis", {{"throat", 3.0}})};
+    std::vector<ThroatOrbitWorld> all{throat_world("ellis", {}), throat_world("ellis", {{"throat", 3.0}})};
     for (const auto& [length, width] : {std::pair{0.01, 0.05}, {0.0, 0.02}, {0.5, 0.3}, {0.5, 2.0}})
-        all.push_back(world_of("dneg-wormhole", {{"throat", 1.0}, {"length", length}, {"lensing_width", width}}));
+        all.push_back(throat_world("dneg-wormhole", {{"throat", 1.0}, {"length", length}, {"lensing_width", width}}));
     return all;
 }
 RayFamily fan_at(const ThroatOrbitWorld& world, double r) {
@@ -83,7 +83,7 @@ TEST_CASE("orbit table through a throat: l is the reference's on every row") {
 TEST_CASE("orbit table through a throat: of cameras a last digit apart it is the same") {
     constexpr double kApart = 1e-7;  // of the largest; 3.4e-5 where a step went over both rims unseen
     const ThroatOrbitWorld world =
-        world_of("dneg-wormhole", {{"throat", 1.0}, {"length", 0.01}, {"lensing_width", 0.05}});
+        throat_world("dneg-wormhole", {{"throat", 1.0}, {"length", 0.01}, {"lensing_width", 0.05}});
     std::vector<double> first;
     double r = 8.187228376212072, worst = 0.0, largest = 0.0;
     for (int i = 0; i < 11; ++i, r = std::nextafter(r, 10.0)) {
@@ -106,7 +106,7 @@ TEST_CASE("orbit table through a throat: rays next to the critical one stay betw
     // Of a camera that magnifies: so close steps of double precision do not say on which side a ray comes out.
     constexpr double kOfW = 1e-3;  // rad, that a row may lie beyond a sky
     std::vector<ThroatOrbitWorld> all = worlds();
-    all.push_back(world_of("dneg-wormhole", {{"throat", 75.0}, {"length", 0.01}, {"lensing_width", 1.37}}));
+    all.push_back(throat_world("dneg-wormhole", {{"throat", 75.0}, {"length", 0.01}, {"lensing_width", 1.37}}));
     for (const ThroatOrbitWorld& world : all)
         for (const double r : {3.0, 0.24, -2.0})
             for (const Segment segment : {Segment::kSky, Segment::kCaptured})

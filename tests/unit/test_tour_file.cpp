@@ -22,7 +22,7 @@ namespace {
 constexpr const char* kHead = "title = \"A\"\ndescription = \"B.\"\n";  // two lines
 constexpr const char* kTourFileStep = "[[step]]\nscene = \"kerr\"\ntext = \"C.\"\n";
 
-Result<Tour> parse(const std::string& text) { return parse_tour(text, "dir/tour.toml", "/nowhere"); }
+Result<Tour> parse_tour_text(const std::string& text) { return parse_tour(text, "dir/tour.toml", "/nowhere"); }
 
 struct TourFileBroken {
     std::string text;
@@ -78,7 +78,7 @@ const TourFileBroken kTourFileBroken[] = {
 TEST_CASE("tours: each broken one is one line that names file, line, key and what is allowed") {
     for (const TourFileBroken& broken : kTourFileBroken) {
         CAPTURE(broken.text.substr(0, 200));
-        const auto tour = parse(broken.text);
+        const auto tour = parse_tour_text(broken.text);
         REQUIRE_FALSE(tour);
         const Error& error = tour.error();
         CAPTURE(error.message());
@@ -91,15 +91,15 @@ TEST_CASE("tours: each broken one is one line that names file, line, key and wha
     }
     std::string many = kHead;
     for (std::size_t i = 0; i <= kMostTourSteps; ++i) many += kTourFileStep;
-    const auto tour = parse(many);
+    const auto tour = parse_tour_text(many);
     REQUIRE_FALSE(tour);
     CHECK(tour.error().message().find("step: 101 steps") != std::string::npos);
 }
 
 TEST_CASE("tours: lines are joined, paragraphs and the view stay, and effects are switched off") {
     const auto tour =
-        parse(step("scene = \"first-light\"\nview = 'camera = { r = 30, fov = 50 }'\noff = [\"disc\"]\n"
-                   "text = \"\"\"\nOne\nline.\n\n\nAnother,\\u0007 \n it ends.\n\"\"\""));
+        parse_tour_text(step("scene = \"first-light\"\nview = 'camera = { r = 30, fov = 50 }'\noff = [\"disc\"]\n"
+                             "text = \"\"\"\nOne\nline.\n\n\nAnother,\\u0007 \n it ends.\n\"\"\""));
     REQUIRE_MESSAGE(tour, tour.error().message());
     const TourStep& first = tour->steps.front();
     CHECK(first.text == "One line.\nAnother,? it ends.");

@@ -16,8 +16,8 @@ using namespace nullscope;
 
 constexpr double kMass = 0.5;  // in r_s: proper times of the literature are in M
 
-std::shared_ptr<const Spacetime> spacetime_of(const std::string& metric,
-                                              const std::map<std::string, double>& parameters = {}) {
+std::shared_ptr<const Spacetime> worldline_spacetime(const std::string& metric,
+                                                     const std::map<std::string, double>& parameters = {}) {
     return *make_spacetime(metric, parameters);
 }
 CameraSpec camera_at(double r, ObserverKind observer, Vec3 velocity = {}) {
@@ -29,7 +29,7 @@ CameraSpec camera_at(double r, ObserverKind observer, Vec3 velocity = {}) {
 
 TEST_CASE("worldline: proper times of falls") {
     constexpr double kPromised = 1e-10;  // M
-    const auto hole = spacetime_of("schwarzschild");
+    const auto hole = worldline_spacetime("schwarzschild");
     const auto rain = Worldline::make(hole, camera_at(1.0, ObserverKind::kRain), 100);
     REQUIRE(rain);
     CHECK(rain->end() == WorldlineEnd::kSingularity);
@@ -47,7 +47,7 @@ TEST_CASE("worldline: proper times of falls") {
 }
 
 TEST_CASE("worldline: the azimuth keeps whole turns, however an orbit lies") {
-    const auto hole = spacetime_of("schwarzschild"), spun = spacetime_of("kerr", {{"spin", 0.9}});
+    const auto hole = worldline_spacetime("schwarzschild"), spun = worldline_spacetime("kerr", {{"spin", 0.9}});
     // Along e_r, e_theta, e_phi; on a circle r = 5 at rest's speed 1/sqrt(2 (r - 1)): 41.6 r_s/c of proper time a turn and more.
     const double pace = std::sqrt(0.125);
     for (const double tilt : {0.0, 0.9, M_PI / 2 - 1e-3, M_PI / 2 + 1e-3, M_PI}) {
@@ -71,7 +71,7 @@ TEST_CASE("worldline: the azimuth keeps whole turns, however an orbit lies") {
 
 TEST_CASE("worldline: the clock of what falls is v - r, through the horizon, and of what was at rest t before") {
     constexpr double kPromised = 1e-10;  // r_s/c
-    const auto hole = spacetime_of("schwarzschild");
+    const auto hole = worldline_spacetime("schwarzschild");
     const auto rain = Worldline::make(hole, camera_at(5.0, ObserverKind::kRain), 100);
     REQUIRE(rain);
     const auto wound = [](double r) { return 2 * (std::sqrt(r) - std::log1p(std::sqrt(r))); };
@@ -85,20 +85,20 @@ TEST_CASE("worldline: the clock of what falls is v - r, through the horizon, and
     CHECK(std::fabs(orbit->clock(80) - (std::log(4.0) + 80 / std::sqrt(1 - 1.5 / 5))) < kPromised);
     // Without a horizon time is t.
     const auto flat =
-        Worldline::make(spacetime_of("minkowski"), camera_at(5.0, ObserverKind::kStatic, {0.6, 0, 0}), 100);
+        Worldline::make(worldline_spacetime("minkowski"), camera_at(5.0, ObserverKind::kStatic, {0.6, 0, 0}), 100);
     REQUIRE(flat);
     CHECK(std::fabs(flat->clock(80) - 100) < kPromised);
     // About a rotating hole: u^t of a circle in the equator's plane (Bardeen, Press and Teukolsky 1972), M = 1/2.
     const double a = 0.45, r = 3, drag = a * std::sqrt(0.5) / std::pow(r, 1.5);
     CameraSpec turning = camera_at(r, ObserverKind::kOrbit);
     turning.theta = M_PI / 2;
-    const auto spun = spacetime_of("kerr", {{"spin", 0.9}});
+    const auto spun = worldline_spacetime("kerr", {{"spin", 0.9}});
     const auto round = Worldline::make(spun, turning, 100);
     REQUIRE(round);
     CHECK(std::fabs(round->clock(80) - round->clock(0) - 80 * (1 + drag) / std::sqrt(1 - 1.5 / r + 2 * drag)) <
           10 * kPromised);
     const auto slow =
-        Worldline::make(spacetime_of("kerr", {{"spin", 1e-9}}), camera_at(5.0, ObserverKind::kStatic), 100);
+        Worldline::make(worldline_spacetime("kerr", {{"spin", 1e-9}}), camera_at(5.0, ObserverKind::kStatic), 100);
     const auto still = Worldline::make(hole, camera_at(5.0, ObserverKind::kStatic), 100);
     REQUIRE((slow && still));
     for (const double tau : {0.0, 5.0, 16.0}) CHECK(std::fabs(slow->clock(tau) - still->clock(tau)) < 100 * kPromised);
@@ -126,8 +126,9 @@ double orthonormality(const Spacetime& spacetime, const CameraSpec& camera) {
 
 TEST_CASE("observers: orthonormal outside, on and inside the horizon") {
     constexpr double kPromised = 1e-12;
-    for (const auto& spacetime : {spacetime_of("schwarzschild"), spacetime_of("reissner-nordstrom", {{"charge", 0.8}}),
-                                  spacetime_of("reissner-nordstrom", {{"charge", 1.0}})})
+    for (const auto& spacetime :
+         {worldline_spacetime("schwarzschild"), worldline_spacetime("reissner-nordstrom", {{"charge", 0.8}}),
+          worldline_spacetime("reissner-nordstrom", {{"charge", 1.0}})})
         for (const double r : {100.0, 6.0, 3.0, 1.6, 1.0 + 1e-9, 1.0, 1.0 - 1e-9, 0.7, 0.45, 0.05, 0.001})
             for (const ObserverKind kind : {ObserverKind::kStatic, ObserverKind::kRain, ObserverKind::kFall,
                                             ObserverKind::kThrow, ObserverKind::kOrbit})
@@ -145,7 +146,7 @@ TEST_CASE("observers: orthonormal outside, on and inside the horizon") {
 
 TEST_CASE("observers: a static frame and a rain frame that fall back by their relative speed are one") {
     constexpr double kPromised = 1e-12;
-    const auto hole = spacetime_of("schwarzschild");
+    const auto hole = worldline_spacetime("schwarzschild");
     for (const double r : {1.01, 1.5, 5.0, 100.0}) {
         const CameraSpec rest = camera_at(r, ObserverKind::kStatic),
                          rain = camera_at(r, ObserverKind::kRain, {std::sqrt(1 / r), 0, 0});
@@ -162,7 +163,7 @@ TEST_CASE("observers: a static frame and a rain frame that fall back by their re
 
 TEST_CASE("worldline: nothing is lost on the way") {
     for (const auto& spacetime :
-         {spacetime_of("schwarzschild"), spacetime_of("reissner-nordstrom", {{"charge", 0.9}})}) {
+         {worldline_spacetime("schwarzschild"), worldline_spacetime("reissner-nordstrom", {{"charge", 0.9}})}) {
         const auto line = Worldline::make(spacetime, camera_at(6.0, ObserverKind::kStatic, {-0.2, 0.15, 0.25}), 300);
         REQUIRE(line);
         for (int i = 0; i <= 50; ++i) {
@@ -179,7 +180,7 @@ TEST_CASE("worldline: nothing is lost on the way") {
 }
 
 TEST_CASE("worldline: a gyroscope on a circular orbit turns by de Sitter's angle") {
-    const auto hole = spacetime_of("schwarzschild");
+    const auto hole = worldline_spacetime("schwarzschild");
     CameraSpec camera = camera_at(5.0, ObserverKind::kOrbit);
     camera.theta = M_PI / 2, camera.yaw = camera.pitch = camera.roll = 0;
     // Proper: 2 pi r^(3/2)/sqrt(M) sqrt(1 - 3M/r).
