@@ -86,7 +86,7 @@ Status StageMemory::keep(const std::string& device, const std::string& kind, con
     if (file_.empty()) return Done{};
     std::string text = kColumns;
     for (const Row& row : rows_)
-        text += fmt::format("{},{},{:.6g},{:.6g}\n", quoted(row.device), quoted(row.kind), row.times.fragment_ms,
+        text += fmt::format("{},{},{:.9g},{:.9g}\n", quoted(row.device), quoted(row.kind), row.times.fragment_ms,
                             row.times.compute_ms);
     std::error_code error;
     fs::create_directories(file_.parent_path(), error);  // if it fails, writing says so
