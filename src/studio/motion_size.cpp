@@ -31,13 +31,17 @@ double MotionSize::proportional(const Costs& costs, double most_ms) const {
 
 // What it takes by itself, and a wait while the driver draws the window, which is the same for each size.
 double MotionSize::beside_window(const Costs& costs) {
-    if (std::exchange(alone_ms_, costs.alone_ms) != costs.alone_ms) wait_ms_ = -1.0, whole_fails_ = false;
-    const auto by_itself_ms = [&](double times) { return costs.alone_ms / (times * times); };
+    if (std::exchange(alone_ms_, costs.alone_ms) != costs.alone_ms)
+        wait_ms_ = -1.0, most_ms_ = costs.alone_ms, whole_fails_ = false;
+    // Another view may be cheaper: what the window's size would have taken at most.
+    most_ms_ += kFollow * (costs.last_ms * times_ * times_ - most_ms_);
+    const double alone_ms = std::min(costs.alone_ms, most_ms_);
+    const auto by_itself_ms = [&](double times) { return alone_ms / (times * times); };
     const double wait_ms = std::max(costs.last_ms - by_itself_ms(times_), 0.0);
     wait_ms_ = wait_ms_ < 0.0 ? wait_ms : wait_ms_ + kFollow * (wait_ms - wait_ms_);
     const auto expected_ms = [&](double times) { return wait_ms_ + by_itself_ms(times); };
     whole_fails_ = whole_fails_ || (times_ == 1.0 && expected_ms(1.0) > kFails * kMotion_ms);
-    if (costs.alone_ms <= kWholeInMotion_ms && !whole_fails_) return 1.0;
+    if (alone_ms <= kWholeInMotion_ms && !whole_fails_) return 1.0;
     double times = times_;
     if (times > 1.0 && expected_ms(times / kStep) <= kFinerBelowMean * kMotion_ms)
         times = std::max(times / kStep, 1.0);

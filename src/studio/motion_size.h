@@ -27,6 +27,7 @@ private:
 
     double times_ = 1.0;     // of the last picture
     double wait_ms_ = -1.0;  // of each picture, whatever its size, for the window; of the last few. -1: not known
+    double most_ms_ = 0.0;   // of a picture as large as the window with that wait, likewise
     double alone_ms_ = 0.0;  // that it is of
     bool whole_fails_ = false;
 };

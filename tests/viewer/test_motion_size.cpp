@@ -96,4 +96,15 @@ TEST_CASE("motion size: what is dearer than it was by itself, as a view near the
     CHECK(times < 8.0);
 }
 
+TEST_CASE("motion size: what is cheaper than it was by itself, as a view of the sky alone, is drawn larger") {
+    MotionSize size;
+    double last_ms = 0.0, times = 1.0;
+    for (int i = 0; i < 60; ++i) {
+        times = size.next({last_ms, 110.0, false});
+        last_ms = 0.4 * 110.0 / (times * times) + (times > 1.0 ? 3.0 : 1.0);
+    }
+    CHECK(times < 1.5);  // 1.7 and more by what it took alone
+    CHECK(last_ms <= 1.2 * kMotion_ms);
+}
+
 }  // namespace
