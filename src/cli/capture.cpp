@@ -162,9 +162,10 @@ Status FrameLoop::draw_all() {
     TRY(written, writer.finish());  // others may wait for these
     for (const int frame : left) {
         TRY(done, draw(frame, true));
+        TRY(last_left, land());
+        TRY(left_written, writer.finish());  // another run may wait for this one, and this run for that one's
     }
-    TRY(landed_last, land());
-    return writer.finish();
+    return Done{};
 }
 
 Status draw_here(const CaptureJob& job, const CaptureOptions& options, FrameStore* store, const FrameWatch& watch) {
