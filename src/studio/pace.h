@@ -10,8 +10,6 @@ inline constexpr double kCaretWait = 0.1;  // s, while a text field shows a blin
 inline constexpr double kAdaptingWait = 0.03;  // s, while exposure follows
 inline constexpr double kBusyWait =
     0.05;  // s between frames while a picture is awaited: the processor is the painter's
-inline constexpr double kBusyInMotionWait =
-    0.25;  // the same while a hand moves the picture: nothing but the next one is looked at
 inline constexpr double kProgressWait = 0.1;      // s between looks at how far a picture is
 inline constexpr double kGamepadWait = 0.016;     // s between looks at a gamepad
 inline constexpr double kProgressAfter = 0.3;     // s that a picture takes before its progress is shown
@@ -20,15 +18,14 @@ inline constexpr double kLongestFrameStep = 0.1;  // s: a hitch is no leap
 
 // What the loop has to do besides events.
 struct LoopWork {
-    bool minimised = false;        // nothing can be seen
-    bool patient = false;          // every frame is waited for
-    bool painting = false;         // a picture is awaited
-    bool in_motion = false;        // without a hand
-    bool caret = false;            // a text field has the keyboard
-    bool in_progress = false;      // a record, a film, a dialog
-    bool adapting = false;         // exposure follows
-    double busy_wait = kBusyWait;  // between frames while a picture is awaited
-    double next = kIdleWait;       // until something else is due, at least 0
+    bool minimised = false;    // nothing can be seen
+    bool patient = false;      // every frame is waited for
+    bool painting = false;     // a picture is awaited
+    bool in_motion = false;    // without a hand
+    bool caret = false;        // a text field has the keyboard
+    bool in_progress = false;  // a record, a film, a dialog
+    bool adapting = false;     // exposure follows
+    double next = kIdleWait;   // until something else is due, at least 0
 };
 
 class Pace {

@@ -24,6 +24,11 @@ void prepare_flight(Renderer& renderer) {
     renderer.limit_tiles_once_built(Tiles::kInterpolated);
 }
 
+// What the programs of a job's pictures in motion depend on.
+std::pair<EffectSet, Method> motion_kind(const PaintJob& job) {
+    return {with_one_ray(effect_set(required_effects(job.scene))), job.method};
+}
+
 }  // namespace
 
 FrameRenderer::FrameRenderer() { prepare_flight(renderer_); }
@@ -39,7 +44,7 @@ void FrameRenderer::warm_up(const PaintJob& job, const TexturesInUse& avoid, con
     if (is_warm(job) || job.rays) return;
     const double ray_ms = ray_ms_, picture_ms = picture_ms_, compile_ms = compile_ms_;
     const auto half_ray_ms = half_ray_ms_;
-    warm_ = std::pair(effects_, method_);
+    warm_ = motion_kind(job);
     bool warm = static_cast<bool>(prepare(in_motion(job), job, {true, watch.give_up}));
     while (warm && renderers_build_next()) warm = !watch.give_up();
     // As large as can be: what it takes while nothing else is drawn tells how large pictures in motion may be.
@@ -49,9 +54,7 @@ void FrameRenderer::warm_up(const PaintJob& job, const TexturesInUse& avoid, con
     ray_ms_ = ray_ms, half_ray_ms_ = half_ray_ms, picture_ms_ = picture_ms, compile_ms_ = compile_ms;
 }
 
-bool FrameRenderer::is_warm(const PaintJob& job) const {
-    return warm_ == std::pair(with_one_ray(effect_set(required_effects(job.scene))), job.method);
-}
+bool FrameRenderer::is_warm(const PaintJob& job) const { return warm_ == motion_kind(job); }
 
 // Of one ray a pixel; once its programs are there without what more rays on edges need: light is kept, looked at and developed for those, which
 // takes as much again as a sky's picture.
@@ -72,10 +75,7 @@ double FrameRenderer::quiet_ray_ms(const PaintJob& job) const {
 
 // Of a picture in motion, both sides together; 0: not known.
 double FrameRenderer::ray_picture_ms(const PaintJob& job) const {
-    Scene once = job.scene;
-    once.picture.samples = 1;  // of pictures in motion
-    const EffectSet effects = with_one_ray(effect_set(required_effects(once)));
-    if (method_ != job.method || stage_ != job.stage || effects_ != effects) return 0.0;
+    if (stage_ != job.stage || std::pair(effects_, method_) != motion_kind(job)) return 0.0;
     if (job.side_b == nullptr) return picture_ms_;
     const double other = side_b_ != nullptr ? side_b_->ray_picture_ms(*job.side_b) : 0.0;
     return picture_ms_ > 0.0 && other > 0.0 ? picture_ms_ + other : 0.0;

@@ -142,9 +142,8 @@ bool Viewer::step() {
         pace_.want(kSettlingFrames);
     const bool reading = gallery_.is_open() ? gallery_.loading() : panels_.bookmark_strip.loading();
     if (io.WantTextInput || patient() || reading) pace_.want(1);
-    const bool drawn = patient()
-                           ? settled()
-                           : pace_.due() && (news || !painter_->busy() || seconds() - pace_.drawn_at() >= busy_wait());
+    const bool drawn =
+        patient() ? settled() : pace_.due() && (news || !painter_->busy() || seconds() - pace_.drawn_at() >= kBusyWait);
     if (drawn) {
         present();
         logs_.turns.turn({1e3 * (platform::thread_cpu_seconds() - cpu), painter_->drawn_by_caller(),

@@ -67,7 +67,6 @@ private:
     bool patient() const { return options_.after_frames > 0; }  // every frame of such a run is of the scene as it is
     bool adapting() const;                                      // pictures are due until exposure has come to rest
     bool in_motion() const;                                     // without a hand: the next picture is due already
-    double busy_wait() const;                                   // s between frames while a picture is awaited
     bool settled() const;                                       // the picture is whole, and of the scene as it is
     bool fit_to_window();                                       // true if the picture's size changed
     void ask();   // for what is due: a picture of view_, ray data or the effects' times

@@ -29,13 +29,6 @@ bool Viewer::in_motion() const {
     return controls_.in_motion() || view_.fall.runs() || view_.clock_runs || flight_.timeline.plays();
 }
 
-// A frame without a new picture costs as much as many a picture, where the processor draws.
-double Viewer::busy_wait() const {
-    const bool hand = controls_.dragging() || (moving_ && ImGui::GetCurrentContext() != nullptr &&
-                                               !ImGui::GetIO().WantCaptureMouse && !ImGui::GetIO().WantTextInput);
-    return hand ? kBusyInMotionWait : kBusyWait;
-}
-
 bool Viewer::settled() const {
     return shown_.is_there() && !shown_.painting.coarse() && !due_.picture && !painter_->busy();
 }
@@ -49,7 +42,6 @@ double Viewer::wait_time() const {
     work.caret = ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput;
     work.in_progress = flight_.timeline.records() || flight_.film.runs() || files_.dialog.runs();
     work.adapting = adapting();
-    work.busy_wait = busy_wait();
     const double now = seconds(), times = view_.show_effects ? effects_.wait(now) : kIdleWait;
     work.next = std::min({times, cover_.wait(), message_.left(now)});
     return pace_.wait(work, now);
