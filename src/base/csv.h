@@ -24,4 +24,7 @@ private:
 // something follows it.
 std::optional<std::vector<std::string>> csv_fields(std::string_view line, char separator = ',');
 
+// A text as a field of a line, in quotes where it needs them.
+std::string csv_field(const std::string& text);
+
 }  // namespace nullscope

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/csv.h"
 #include "base/progress.h"
 #include "cli/capture_job.h"
 #include "cli/capture_words.h"
@@ -108,13 +109,6 @@ Result<std::string> study_stamp(const Study& study) {
         for (std::size_t i = 0; i < sweep.values.size(); ++i)
             stamp += fmt::format("{} = {}: {}\n", fmt::join(sweep.keys, ", "), i, fmt::join(sweep.values[i], ", "));
     return stamp;
-}
-
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + "\"";
 }
 
 std::string csv_line(const Words& fields) {

@@ -20,13 +20,6 @@ constexpr std::size_t kLargestFile = 1u << 20;  // bytes: kMostRows of a thousan
 constexpr double kLongestFrame_ms = 1e7;
 constexpr const char* kColumns = "device,kind,fragment_ms,compute_ms\n";
 
-// Between quotes, in one line.
-std::string quoted(const std::string& text) {
-    std::string quoted = "\"";
-    for (const char c : without_controls(text)) quoted.append(c == '"' ? 2 : 1, c);
-    return quoted + '"';
-}
-
 std::optional<StageMemory::Row> row_of(std::string_view line) {
     const auto fields = csv_fields(line);
     if (!fields || fields->size() != 4) return std::nullopt;
@@ -86,8 +79,8 @@ Status StageMemory::keep(const std::string& device, const std::string& kind, con
     if (file_.empty()) return Done{};
     std::string text = kColumns;
     for (const Row& row : rows_)
-        text += fmt::format("{},{},{:.9g},{:.9g}\n", quoted(row.device), quoted(row.kind), row.times.fragment_ms,
-                            row.times.compute_ms);
+        text += fmt::format("{},{},{:.9g},{:.9g}\n", csv_field(without_controls(row.device)),
+                            csv_field(without_controls(row.kind)), row.times.fragment_ms, row.times.compute_ms);
     std::error_code error;
     fs::create_directories(file_.parent_path(), error);  // if it fails, writing says so
     return write_text_atomically(file_, text);
