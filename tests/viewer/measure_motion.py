@@ -13,6 +13,7 @@ import argparse
 import math
 import os
 import statistics
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -27,6 +28,25 @@ MOTION_S = 2 / 20                                  # two cores, 20 pictures a se
 WHOLE_S, WHOLE_OF_KERR_S = 2 * 0.5, 2 * 1.0        # two cores, half a second, and one
 MOST_BEHIND = 3.0                                  # pictures: one is drawn, one is shown
 RUNS = 3
+MOUSE_HZ = 125                                     # of an ordinary mouse
+
+
+class Mouse:
+    """Moves of a mouse by one xdotool: one for each would take a quarter of a core from the viewer."""
+    def __init__(self, screen):
+        self.hands = subprocess.Popen(["xdotool", "-"], env={**os.environ, "DISPLAY": screen.display}, stdin=subprocess.PIPE, text=True)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        self.hands.stdin.close()
+        self.hands.wait()
+
+    def move(self, x, y):
+        self.hands.stdin.write(f"mousemove {x} {y}\n")
+        self.hands.stdin.flush()
+        time.sleep(1 / MOUSE_HZ)
 
 
 def drag(v, width, height, seconds, down=0.55):
@@ -35,10 +55,11 @@ def drag(v, width, height, seconds, down=0.55):
     v.hands("mousemove", int(x), int(y), "mousedown", 1)
     at, begun, steps, before = v.log.size(), time.monotonic(), 0, v.spent()
     shown = lambda: [float(turn["age_ms"]) for turn in v.log.turns(at) if float(turn["age_ms"]) > 0]
-    while time.monotonic() - begun < seconds or len(shown()) < 10:
-        angle = steps / 10.0
-        v.hands("mousemove", int(x + reach * math.sin(angle)), int(y + 0.6 * reach * (1.0 - math.cos(angle))))
-        steps += 1
+    with Mouse(v.screen) as mouse:
+        while time.monotonic() - begun < seconds or len(shown()) < 10:
+            angle = steps / 10.0
+            mouse.move(int(x + reach * math.sin(angle)), int(y + 0.6 * reach * (1.0 - math.cos(angle))))
+            steps += 1
     sizes = sorted((turn["size"].split("x") for turn in v.log.turns(at) if float(turn["age_ms"]) > 0), key=lambda size: int(size[0]))
     ages, spent_s, wall_s = sorted(shown()), v.spent() - before, time.monotonic() - begun
     v.hands("mouseup", 1)
