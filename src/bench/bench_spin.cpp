@@ -1,6 +1,6 @@
 // nullscope bench spin: the shader of a rotating hole against a march in Kerr-Schild coordinates (shaders/mino/kerr_schild.glsl). First the
 // screen errors of both against the reference; then, with the march's steps as long as ours allows at the 99.9th percentile, what a frame of
-// each costs, drawn in turn; and how many steps our rays take.
+// each costs, drawn in turn; and how many steps our rays take, alone and in blocks that a GPU traces in step.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,6 +35,7 @@ Scene scene_of(const View& view, int width, int height) {
     scene.camera.plane_width = 2 * std::tan(0.5 * view.fov_deg * M_PI / 180);
     scene.camera.width = width, scene.camera.height = height;
     scene.sky.kind = SkyKind::kGrid;
+    scene.picture.refine = false;  // one ray a pixel, by both
     return scene;
 }
 
@@ -49,25 +50,33 @@ std::string words_of(const Spread& px, double finer) {
                        px.p999 * finer, px.median * finer);
 }
 
+constexpr int kBlockWidth = 8, kBlockHeight = 4;  // px: threads that a GPU runs in step
+
 struct Steps {
     double mean = 0;
+    double at_work = 0;  // part of the threads of a block, on the mean, until its longest ray ends
     int most = 0;
     long long at_cap = 0, rays = 0;
 };
-// Of every second pixel of every second row, by the same text in float on the CPU.
+// Of every second block of every second row of them, by the same text in float on the CPU.
 Result<Steps> steps_of(const Scene& scene) {
     FrameTables tables;
     TRY(ready, tables.update(scene));
     const CoreInput input = tables.core_input();
+    const CameraSpec& camera = scene.camera;
     Steps steps;
-    double sum = 0;
-    for (int y = 0; y < scene.camera.height; y += 2)
-        for (int x = 0; x < scene.camera.width; x += 2) {
-            const int n =
-                trace_core32(input, x + 0.5 - 0.5 * scene.camera.width, 0.5 * scene.camera.height - y - 0.5).steps;
-            sum += n, steps.most = std::max(steps.most, n), steps.at_cap += n >= kCap, ++steps.rays;
+    double sum = 0, taken = 0;  // taken: if each ray took as long as its block's longest
+    for (int top = 0; top + kBlockHeight <= camera.height; top += 2 * kBlockHeight)
+        for (int left = 0; left + kBlockWidth <= camera.width; left += 2 * kBlockWidth) {
+            int longest = 0;
+            for (int i = 0; i < kBlockWidth * kBlockHeight; ++i) {
+                const double x = left + i % kBlockWidth + 0.5, y = top + i / kBlockWidth + 0.5;
+                const int n = trace_core32(input, x - 0.5 * camera.width, 0.5 * camera.height - y).steps;
+                sum += n, longest = std::max(longest, n), steps.at_cap += n >= kCap, ++steps.rays;
+            }
+            taken += longest * kBlockWidth * kBlockHeight, steps.most = std::max(steps.most, longest);
         }
-    steps.mean = sum / static_cast<double>(steps.rays);
+    steps.mean = sum / static_cast<double>(steps.rays), steps.at_work = sum / taken;
     return steps;
 }
 
@@ -102,6 +111,8 @@ Result<Json> measure_spin(const Bench& bench, const View& view, int frames) {
                core_march / core);
     fmt::print("  our rays take {:.2f} steps, {} at most; {} of {} at the cap of {}\n", steps->mean, steps->most,
                steps->at_cap, steps->rays, kCap);
+    fmt::print("  of blocks of {} x {} pixels that are traced in step {:.1f} % of the threads are at work\n", kBlockWidth,
+               kBlockHeight, 100 * steps->at_work);
     return Json{{"scene", scene.name},
                 {"width", width},
                 {"height", height},
@@ -117,7 +128,8 @@ Result<Json> measure_spin(const Bench& bench, const View& view, int frames) {
                 {"ratio", core_march / core},
                 {"mean_steps", steps->mean},
                 {"most_steps", steps->most},
-                {"at_cap", steps->at_cap}};
+                {"at_cap", steps->at_cap},
+                {"threads_at_work", steps->at_work}};
 }
 
 Status run_spin(const BenchOptions& options) {
