@@ -1,4 +1,4 @@
-// Lists the tiles that a stage draws; a thread a tile.
+// Lists the tiles that a stage draws, those of groups of threads; a thread a tile.
 #include "shared/tile_list.glsl"
 #ifdef DRAWS_LATTICE
 #include "stage/lattice_tile.glsl"
@@ -15,6 +15,7 @@ layout(local_size_x = 64) in;
 uniform int tiles_across;   // in a row
 uniform int tile_from;      // of the picture's, counted in rows from its lower left one: those that are asked for, up to ...
 uniform int tile_to;        // ... but not including this
+uniform int tile_groups;    // of those that are listed, along a side of one of the picture's tiles
 
 bool draws_tile(ivec2 tile) {
 #ifdef DRAWS_LATTICE
@@ -24,7 +25,7 @@ bool draws_tile(ivec2 tile) {
     vec2 low = float(TILE_SIDE) * vec2(tile);
     return lattice_draws(low, low + float(TILE_SIDE));
 #else
-    return tile_drawn(tile_told(tile));
+    return tile_drawn(tile_told(tile / tile_groups));
 #endif
 #endif
 }

@@ -46,7 +46,7 @@ bool begin_group() {
 
 void main() {
     if (!begin_group()) return;
-    ivec2 tile = thread_tile();
+    ivec2 tile = thread_place();
     bool draws = true;
     if (thread_in_patches()) {
         int number = patch_of_thread();
@@ -63,7 +63,7 @@ void main() {
 #ifdef DRAWS_TILES
     if (!thread_draws()) return;   // all of the group
 #endif
-    begin_tile(thread_tile());
+    begin_tile(thread_place());
     put_pixel(thread_pixel(), traced_pixel());
 }
 #endif

@@ -15,7 +15,7 @@ void resize_target(gl::Target& target, bool wanted, int width, int height, int c
 }  // namespace
 
 void PictureTiles::resize(const std::vector<Pass>& passes, int width, int height, const EffectSet& effects) {
-    const int across = tiles_along(width), up = tiles_along(height);
+    const int side = tile_side(effects), across = tiles_along(width, side), up = tiles_along(height, side);
     const bool rays = passes.front().stage == Stage::kRays;
     const bool tiles = std::ranges::any_of(passes, [](const Pass& pass) { return finds_tiles(pass.stage); });
     resize_target(rays_, rays, rays_a_tile(effects) * (across + 3), up + 3, tiles_classify_disc(effects) ? 2 : 1);

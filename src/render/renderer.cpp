@@ -127,7 +127,10 @@ bool Renderer::compute_picture(const Pass& pass, unsigned picture, int first, in
     }
     const gl::TileList* list =
         computed_.tiles(pass.stage, tiles_along(image->width), first / kTileSide, tiles_along(last), name_inputs,
-                        [this](const gl::Program& lists) { lattice_.tell(lists); });
+                        [this](const gl::Program& lists) {
+                            lattice_.tell(lists);
+                            gl::set_integer(lists, "tile_groups", tile_side(tables_.effects()) / kTileSide);
+                        });
     if (list != nullptr) gl::compute_tiles(*built, *image, *list, first, last, layer);
     return list != nullptr;
 }
@@ -218,7 +221,7 @@ void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int h
     if (compute_picture(pass, picture, first, last, layer)) return;
     const gl::Program& built = picture_program(pass);
     if (is_in_tiles(pass.stage))
-        gl::draw_tiles(built, empty_, picture, width, height, kTileSide, first, last, layer);
+        gl::draw_tiles(built, empty_, picture, width, height, tile_side(tables_.effects()), first, last, layer);
     else
         gl::draw_rows(built, empty_, picture, width, height, first, last, layer);
 }

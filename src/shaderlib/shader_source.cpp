@@ -215,6 +215,11 @@ std::string_view shader_head(Glsl language) {
     return language == Glsl::kEs300 ? kEs : kDesktop;
 }
 
+int tile_side(const EffectSet& effects) {
+    const bool disc_alone = tiles_classify_full_disc(effects) && !has_tiles(effects) && !has_medium(effects);
+    return disc_alone ? 2 * kTileSide : kTileSide;
+}
+
 int rays_a_tile(const EffectSet& effects) { return interpolates(effects) ? 2 : 1; }
 
 bool has_shader(std::string_view folder, std::string_view metric) {
@@ -258,8 +263,8 @@ std::vector<std::string> texts_of(std::initializer_list<const char*> files, Stag
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},
         {"generated/constants", fmt::format("#define METER_KEY {}\n", kMeterKey)},
         {"generated/tiles",
-         fmt::format("#define TILE_SIDE {}\n#define PATCHES_SIDE {}\n#define RAYS_A_TILE {}\n#define FIRST_TILES {}\n",
-                     kTileSide, kPatchesSide, rays_a_tile(effects), kFirstTiles)},
+         fmt::format("#define TILE_SIDE {}\n#define TILE_GROUPS {}\n#define PATCHES_SIDE {}\n#define RAYS_A_TILE {}\n#define FIRST_TILES {}\n",
+                     tile_side(effects), tile_side(effects) / kTileSide, kPatchesSide, rays_a_tile(effects), kFirstTiles)},
         {"generated/objects", bodies.objects},
         {"generated/surfaces", bodies.surfaces},
         {"generated/bodies_march", bodies.march},

@@ -48,8 +48,11 @@ enum class Stage {
     kMatterTraced,
     kRayList
 };
-inline constexpr int kTileSide = 8;  // px
-constexpr int tiles_along(int pixels) { return (pixels + kTileSide - 1) / kTileSide; }
+inline constexpr int kTileSide = 8;  // px, of the smallest tiles, and of groups of compute threads
+// px. Where tiles tell nothing but disc and sky apart larger ones cost less: a point of a software driver takes as long as 20 pixels of sky. Those that
+// list bodies or interpolate rays are small.
+int tile_side(const EffectSet& effects);
+constexpr int tiles_along(int pixels, int side = kTileSide) { return (pixels + side - 1) / side; }
 inline constexpr int kFirstTiles = 4;  // tiles a side of those of the first pass, which bodies are looked for in
 // Of the target of pixels with more rays (render/ray_patches.h). No power of two: llvmpipe compiles once more for textures of such sizes.
 inline constexpr int kPatchesSide = 184;
