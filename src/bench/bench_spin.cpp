@@ -70,7 +70,8 @@ Result<Steps> steps_of(const Scene& scene) {
         for (int left = 0; left + kBlockWidth <= camera.width; left += 2 * kBlockWidth) {
             int longest = 0;
             for (int i = 0; i < kBlockWidth * kBlockHeight; ++i) {
-                const double x = left + i % kBlockWidth + 0.5, y = top + i / kBlockWidth + 0.5;
+                const int column = left + i % kBlockWidth, row = top + i / kBlockWidth;
+                const double x = column + 0.5, y = row + 0.5;
                 const int n = trace_core32(input, x - 0.5 * camera.width, 0.5 * camera.height - y).steps;
                 sum += n, longest = std::max(longest, n), steps.at_cap += n >= kCap, ++steps.rays;
             }
@@ -111,8 +112,8 @@ Result<Json> measure_spin(const Bench& bench, const View& view, int frames) {
                core_march / core);
     fmt::print("  our rays take {:.2f} steps, {} at most; {} of {} at the cap of {}\n", steps->mean, steps->most,
                steps->at_cap, steps->rays, kCap);
-    fmt::print("  of blocks of {} x {} pixels that are traced in step {:.1f} % of the threads are at work\n", kBlockWidth,
-               kBlockHeight, 100 * steps->at_work);
+    fmt::print("  of blocks of {} x {} pixels that are traced in step {:.1f} % of the threads are at work\n",
+               kBlockWidth, kBlockHeight, 100 * steps->at_work);
     return Json{{"scene", scene.name},
                 {"width", width},
                 {"height", height},

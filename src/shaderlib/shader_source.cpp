@@ -262,9 +262,10 @@ std::vector<std::string> texts_of(std::initializer_list<const char*> files, Stag
         {"generated/method", method_text(method, metric)},
         {"generated/metric", include_line(fmt::format("spacetime/{}.glsl", metric))},
         {"generated/constants", fmt::format("#define METER_KEY {}\n", kMeterKey)},
-        {"generated/tiles",
-         fmt::format("#define TILE_SIDE {}\n#define TILE_GROUPS {}\n#define PATCHES_SIDE {}\n#define RAYS_A_TILE {}\n#define FIRST_TILES {}\n",
-                     tile_side(effects), tile_side(effects) / kTileSide, kPatchesSide, rays_a_tile(effects), kFirstTiles)},
+        {"generated/tiles", fmt::format("#define TILE_SIDE {}\n#define TILE_GROUPS {}\n#define PATCHES_SIDE "
+                                        "{}\n#define RAYS_A_TILE {}\n#define FIRST_TILES {}\n",
+                                        tile_side(effects), tile_side(effects) / kTileSide, kPatchesSide,
+                                        rays_a_tile(effects), kFirstTiles)},
         {"generated/objects", bodies.objects},
         {"generated/surfaces", bodies.surfaces},
         {"generated/bodies_march", bodies.march},
