@@ -12,7 +12,6 @@ bool thread_in_patches() { return frame.sampling.z > 1.0; }   // rays along a si
 #endif
 
 #ifdef DRAWS_TILES
-#include "generated/tiles"
 #include "shared/tile_list.glsl"
 
 uint thread_group() { return LIST_ACROSS * gl_WorkGroupID.y + gl_WorkGroupID.x; }
@@ -27,12 +26,10 @@ ivec2 thread_tile() {
     uint tile = tile_list.listed[thread_draws() ? thread_group() : 0u];
     return ivec2(int(tile & 65535u), int(tile >> 16));
 }
-ivec2 thread_place() { return thread_tile() / TILE_GROUPS; }   // the tile of the picture's that it is in
 #else
 uniform int thread_row;   // of tiles, counted from below: the first that is drawn
 
 ivec2 thread_tile() { return ivec2(gl_WorkGroupID.xy) + ivec2(0, thread_row); }
-ivec2 thread_place() { return thread_tile(); }
 #endif
 
 ivec2 thread_pixel() {

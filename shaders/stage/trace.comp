@@ -1,4 +1,5 @@
 // The picture by compute, a thread a pixel: what stage/trace.frag draws. Tiles are the picture's own where it is drawn in tiles.
+#include "generated/tiles"
 #include "shared/thread.glsl"
 #include "stage/traced_pixel.glsl"
 #ifdef COMPUTES_PATCHES
@@ -21,6 +22,15 @@ void put_pixel(ivec2 pixel, vec4 colour) {
     colour *= layer_share;
     if (PICTURE_ADDS) colour += imageLoad(picture_image, pixel);
     imageStore(picture_image, pixel, colour);
+}
+
+// The tile of the picture's that the group is in, where these are told.
+ivec2 told_tile() {
+#ifdef DRAWS_TILES
+    return thread_tile() / TILE_GROUPS;
+#else
+    return thread_tile();
+#endif
 }
 
 // What a tile tells its rays.
@@ -46,7 +56,7 @@ bool begin_group() {
 
 void main() {
     if (!begin_group()) return;
-    ivec2 tile = thread_place();
+    ivec2 tile = told_tile();
     bool draws = true;
     if (thread_in_patches()) {
         int number = patch_of_thread();
@@ -63,7 +73,7 @@ void main() {
 #ifdef DRAWS_TILES
     if (!thread_draws()) return;   // all of the group
 #endif
-    begin_tile(thread_place());
+    begin_tile(told_tile());
     put_pixel(thread_pixel(), traced_pixel());
 }
 #endif
