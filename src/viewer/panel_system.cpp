@@ -7,10 +7,12 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "annotate/lettering.h"
 #include "studio/palette.h"
+#include "viewer/widgets.h"
 
 namespace nullscope::viewer {
 namespace {
@@ -66,6 +68,11 @@ void colour(ImGuiStyle& style, const Palette& p) {
 void forget_text_that_was_left() {
     ImGuiContext& context = *ImGui::GetCurrentContext();
     if (context.ActiveId != context.InputTextState.ID) context.InputTextState.ID = 0;
+}
+
+// Fields of numbers leave out what is no part of one: of "12,5" they would take 125.
+void take_decimal_commas() {
+    if (types_number()) std::ranges::replace(ImGui::GetIO().InputQueueCharacters, ImWchar{','}, ImWchar{'.'});
 }
 
 // Sets style and fonts anew. content_scale: how much larger than usual, in framebuffer pixels; pixel_ratio: framebuffer
@@ -149,6 +156,7 @@ void PanelSystem::begin_frame(double text_scale, bool light, const std::vector<K
     release_keys(pressed, window_.handle());
 #endif
     forget_text_that_was_left();
+    take_decimal_commas();
     if (!enters_ || glfwGetKey(window_.handle(), GLFW_KEY_TAB) == GLFW_PRESS)
         return;  // Tab itself goes from field to field
     enters_ = false;

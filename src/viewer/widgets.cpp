@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -36,6 +37,8 @@ double nearest_allowed(double edited, const KeyRange& allowed, double low, doubl
     if (allowed.contains(edited)) return edited;
     return edited <= allowed.low ? (allowed.open_low ? low : allowed.low) : (allowed.open_high ? high : allowed.high);
 }
+
+unsigned typed_number = 0;  // the last field of type_number() that had the keyboard
 
 // What the item before shows while it is being edited; only one is at a time.
 struct Draft {
@@ -248,7 +251,13 @@ bool type_number(const char* name, double& value, double low, double high, const
     const std::string id = hidden_id(name);
     double edited = draft_or(id, value);
     const bool changed = ImGui::InputDouble(id.c_str(), &edited, 0.0, 0.0, format, ImGuiInputTextFlags_CharsScientific);
+    if (ImGui::IsItemActive()) typed_number = ImGui::GetItemID();
     return settled(id, changed, edited) && accept(edited, low, high, value);
+}
+
+bool types_number() {
+    const unsigned active = ImGui::GetActiveID();
+    return active != 0 && (active == typed_number || ImGui::TempInputIsActive(active));
 }
 
 bool input_text(const char* id, const char* hint, std::string& text) {

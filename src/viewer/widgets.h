@@ -61,6 +61,8 @@ bool slide_as(const char* name, double& position, double low, double high, const
               Scale scale = Scale::kLinear);
 // Typed in, taken over on Enter or when left.
 bool type_number(const char* name, double& value, double low, double high, const char* format, const char* help);
+// Whether such a field, or a slider's own text, has the keyboard.
+bool types_number();
 
 // A line of text, with a hint while it is empty. True when Enter was pressed.
 bool input_text(const char* id, const char* hint, std::string& text);

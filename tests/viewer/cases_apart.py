@@ -755,7 +755,7 @@ def test_what_a_scene_file_may_say_can_be_typed_in(screen, program, folder):
         if not v.layout().place("1234567 K", ""):
             v.click(*v.layout().place("Disc", ""))
         at = v.layout().place("1234567 K", "")
-        for typed, taken in [("3e6", 3e6), ("5", 1e3)]:     # beyond the slider's ends; below what a file may say
+        for typed, taken in [("3e6", 3e6), ("2500000,5", 2500000), ("5", 1e3)]:     # beyond the slider's ends; a decimal comma; below what a file may say
             type_into_slider(v, at, typed)
             assert v.layout().place(f"{taken:.0f} K", ""), (typed, [words for _, words, _ in v.layout().texts if words.endswith(" K")])
         v.settle("key", "ctrl+s")
@@ -799,7 +799,7 @@ def test_the_side_panel_takes_what_the_key_table_allows(screen, program, folder)
             v.settle("mousemove", *BESIDE)
             assert v.layout().place(taken, "##side"), (shown, text, v.layout().words())
         control = ["keydown", "ctrl"]
-        typed("0 c", "0.99999995", "0.99999995 c")
+        typed("0 c", "0,99999995", "0.99999995 c")     # a decimal comma
         typed("60.0", "175", "175.0", control)
         typed("84.80", "200", "180.00", control)     # no more than the file may say
         for section in ("Camera", "Speed of the camera", "Lens", "Disc"):
