@@ -23,7 +23,7 @@ std::optional<double> lapse_at(const Spacetime& spacetime, double r, double thet
 }
 
 std::optional<double> shadow_at(const Spacetime& spacetime, double r) {
-    const auto sphere = spacetime.photon_sphere();
+    const auto sphere = open_photon_sphere(spacetime);
     if (!spacetime.planar_rays() || !sphere || !(spacetime.lapse_squared(r) > 0.0)) return std::nullopt;
     const double sine = std::sqrt(spacetime.lapse_squared(r)) / spacetime.areal_radius(r) / sphere->q_crit;
     const double angle = std::asin(std::fmin(std::fabs(sine), 1.0));
@@ -65,7 +65,7 @@ std::optional<double> planar_clock_rate(const Spacetime& spacetime, const Camera
 Landmarks landmarks_of(const Spacetime& spacetime) {
     Landmarks found;
     found.horizon = spacetime.horizon_radius();
-    if (const auto sphere = spacetime.photon_sphere())
+    if (const auto sphere = open_photon_sphere(spacetime))
         found.photon_orbit = sphere->radius, found.critical_impact = 1.0 / sphere->q_crit;
     else if (spacetime.rotates() && found.horizon)
         found.photon_orbit = light_orbit(spacetime);

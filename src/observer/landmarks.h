@@ -8,7 +8,7 @@
 
 namespace nullscope {
 
-// Radii in r_s (of wormholes: in their own unit); nothing where the spacetime has none. About a rotating hole orbits are those in the
+// Radii in r_s (of wormholes: in their own unit); nothing where the spacetime has none, or a star covers it. About a rotating hole orbits are those in the
 // equatorial plane, towards growing phi (prograde where a > 0) and, as "retrograde", towards falling phi. Cost: 20 us, 40 us about a rotating hole.
 struct Landmarks {
     std::optional<double> horizon, photon_orbit, isco;

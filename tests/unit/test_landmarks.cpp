@@ -120,6 +120,21 @@ TEST_CASE("landmarks: clocks, shadow and orbits of a camera") {
           doctest::Approx(std::sqrt(kerr->lapse_squared(2.0))).epsilon(1e-12));
 }
 
+TEST_CASE("landmarks: a star covers what lies within it") {
+    CameraSpec camera;
+    camera.r = 12.0;
+    const auto small = spacetime_of("neutron-star", {{"radius", 1.4}}),
+               compact = spacetime_of("neutron-star", {{"radius", 1.6}}),
+               large = spacetime_of("neutron-star", {{"radius", 10.0}});
+    CHECK(landmarks_of(*small).photon_orbit.value() == doctest::Approx(1.5));
+    CHECK(camera_numbers(*small, camera).shadow.has_value());
+    for (const auto* star : {&compact, &large}) {
+        CHECK_FALSE(landmarks_of(**star).photon_orbit.has_value());
+        CHECK_FALSE(landmarks_of(**star).critical_impact.has_value());
+        CHECK_FALSE(camera_numbers(**star, camera).shadow.has_value());
+    }
+}
+
 TEST_CASE("circular orbits: none within an inner horizon") {
     const auto charged = spacetime_of("reissner-nordstrom", {{{"charge", 0.8}}});
     CHECK_FALSE(circular_orbit(*charged, 0.0165));
