@@ -1,5 +1,4 @@
 // The picture by compute, a thread a pixel: what stage/trace.frag draws. Tiles are the picture's own where it is drawn in tiles.
-#include "generated/tiles"
 #include "shared/thread.glsl"
 #include "stage/traced_pixel.glsl"
 #ifdef COMPUTES_PATCHES
@@ -12,6 +11,14 @@
 #include "stage/tile_drawn.glsl"
 #endif
 
+// The picture's tile that the group is in.
+#ifdef DRAWS_TILES
+#include "generated/tiles"
+#define TOLD_TILE (thread_tile() / TILE_GROUPS)
+#else
+#define TOLD_TILE thread_tile()
+#endif
+
 layout(binding = 0, PICTURE_FORMAT) uniform image2D picture_image;
 uniform int drawn_from;       // from below: the rows that are drawn, up to but not including ...
 uniform int drawn_to;         // ... this one
@@ -22,15 +29,6 @@ void put_pixel(ivec2 pixel, vec4 colour) {
     colour *= layer_share;
     if (PICTURE_ADDS) colour += imageLoad(picture_image, pixel);
     imageStore(picture_image, pixel, colour);
-}
-
-// The tile of the picture's that the group is in, where these are told.
-ivec2 told_tile() {
-#ifdef DRAWS_TILES
-    return thread_tile() / TILE_GROUPS;
-#else
-    return thread_tile();
-#endif
 }
 
 // What a tile tells its rays.
@@ -56,7 +54,7 @@ bool begin_group() {
 
 void main() {
     if (!begin_group()) return;
-    ivec2 tile = told_tile();
+    ivec2 tile = TOLD_TILE;
     bool draws = true;
     if (thread_in_patches()) {
         int number = patch_of_thread();
@@ -73,7 +71,7 @@ void main() {
 #ifdef DRAWS_TILES
     if (!thread_draws()) return;   // all of the group
 #endif
-    begin_tile(told_tile());
+    begin_tile(TOLD_TILE);
     put_pixel(thread_pixel(), traced_pixel());
 }
 #endif
