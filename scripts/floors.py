@@ -109,7 +109,7 @@ def main():
     parser.add_argument("--core", type=int, help="the core that all run on (the first that is allowed)")
     parser.add_argument("--size", default="1280x720")
     parser.add_argument("--poses", type=int, default=0, help="random cameras of kerr and of its sky")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     if unknown := [row for row in options.rows if row not in ROWS]:
         parser.error(f"{', '.join(unknown)}: no such row; there are {', '.join(ROWS)}")
     if options.runs < 1 or options.frames < 9:
