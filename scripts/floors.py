@@ -6,7 +6,7 @@
     scripts/floors.py OLD --poses 50         and so many random cameras: the dearest over the cheapest
 
 Times are processor seconds of all threads by `nullscope bench frames`, frames as in the viewer while the camera moves; of each turn the median of
-its frames, of the turns the least. All runs on one core; who begins changes from turn to turn. docs/accuracy.md says what was measured.
+its frames, of the turns the least. All runs on one core; who begins changes from turn to turn.
 """
 import argparse
 import json
