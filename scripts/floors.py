@@ -56,11 +56,11 @@ def balls(number):
 def write_scenes(folder):
     """Those that do not ship."""
     kerr = (SCENES / "kerr.toml").read_text()
-    grid = (SCENES / "first-light.toml").read_text()
+    image = (SCENES / "first-light.toml").read_text()
     written = {
         "kerr-sky": kerr.replace(section(kerr, "disc"), ""),
         "kerr-flat": kerr.replace(section(kerr, "spacetime"), '[spacetime]\nmetric = "minkowski"\n').replace('observer = "zamo"', 'observer = "static"'),
-        "pattern-disc": grid.replace(section(grid, "disc"), '[disc]\ninner = 3.0\nouter = 12.0\ntexture = "grid"\n'),
+        "pattern-disc": image.replace(section(image, "disc"), '[disc]\ninner = 3.0\nouter = 12.0\ntexture = "grid"\n'),
         "balls-1": balls(1),
         "balls-32": balls(32),
     }

@@ -49,7 +49,7 @@ enum class Stage {
     kRayList
 };
 inline constexpr int kTileSide = 8;  // px, of the smallest tiles, and of groups of compute threads
-// px. Where tiles tell nothing but disc and sky apart larger ones cost less: a point of a software driver takes as long as 20 pixels of sky. Those that
+// px. Where tiles tell nothing but disc and sky apart larger ones cost less: a point takes a software driver as long as 30 pixels of sky. Those that
 // list bodies or interpolate rays are small.
 int tile_side(const EffectSet& effects);
 constexpr int tiles_along(int pixels, int side = kTileSide) { return (pixels + side - 1) / side; }
