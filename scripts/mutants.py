@@ -6,6 +6,7 @@ GLOW = ("gpu_tests", "glow*")
 BODY_SHIFT = ("unit_tests", "body shift*")
 HARD = ("gpu_tests", "hard cases*")
 GOLDEN = ("golden_tests", "every case is*")
+TOLD_DISC = ("gpu_tests", "interpolated disc*")
 LIMB = ("gpu_tests", "limb darkening*")
 POLARISED = ("gpu_tests", "polarisation*")
 STOKES = ("gpu_tests", "polarised matter*")
@@ -106,6 +107,18 @@ MUTANTS = [Mutant(*row) for row in [
      "kError = 5,", "kError = 100,", ("gpu_tests", "lattice: what is finer*")),
     ("tile-fit", "rays interpolated where they are not smooth", "shaders/stage/tile_fit.glsl",
      "#define TILE_SKY_ERROR 2.0e-3", "#define TILE_SKY_ERROR 1.0e-1", ("gpu_tests", "tiles: interpolated*")),
+    ("disc-fit", "crossings of the disc interpolated where they are not smooth", "shaders/stage/disc_fit.glsl",
+     "#define DISC_FIT_ERROR 4.0e-3", "#define DISC_FIT_ERROR 4.0e-1", TOLD_DISC),
+    ("disc-fit-delay", "the delay of interpolated crossings left out", "shaders/stage/corner_ray.glsl",
+     "vec4(crossing_moves(trace, 0), crossing_moves(trace, 1))", "vec4(0.0, crossing_moves(trace, 0).y, 0.0, crossing_moves(trace, 1).y)", TOLD_DISC),
+    ("disc-fit-momentum", "momentum of interpolated rays turned over", "shaders/mino/interpolated.glsl",
+     "trace.momentum = -across", "trace.momentum = across", TOLD_DISC),
+    ("disc-fit-climb", "no inward motion of the light at interpolated crossings", "shaders/mino/interpolated_disc.glsl",
+     "crossing.climb = told.w;", "crossing.climb = 0.0;", TOLD_DISC),
+    ("disc-fit-rise", "the light's angle to the disc at interpolated crossings", "shaders/mino/interpolated.glsl",
+     "frame.spin_place.y * frame.spin_place.y * (across * across - a2e2)", "0.0 * a2e2", TOLD_DISC),
+    ("disc-fit-rim", "an opaque disc taken to hide the sky beside its rim", "shaders/stage/disc_fit.glsl",
+     "opaque && depth > 0.0", "opaque", TOLD_DISC),
     ("warp", "the corners of a warp mesh's triangles exchanged", "shaders/effect/warp.glsl",
      "s * (b.move - a.move) + t * (c.move - a.move)", "t * (b.move - a.move) + s * (c.move - a.move)",
      ("gpu_tests", "warp*")),
@@ -209,7 +222,7 @@ MUTANTS = [Mutant(*row) for row in [
      "by_delta + slope * time.slope", "by_delta", LAMP),
     ("limb-motion", "the matter's motion left out of the light's angle to the disc", "shaders/planar/disc.glsl",
      "1.0e-20) * (g / g_of(trace));", "1.0e-20);", LIMB),
-    ("limb-camera", "the camera's motion in the light's angle to a rotating hole's disc", "shaders/mino/disc.glsl",
+    ("limb-camera", "the camera's motion in the light's angle to a rotating hole's disc", "shaders/mino/disc_photon.glsl",
      "disc_across(crossing) * (g / trace.doppler)", "disc_across(crossing) * g", LIMB),
     ("limb-parts", "a part of light that is off, in the light's angle to the disc", "shaders/object/disc_matter.glsl",
      "disc_cosine(trace, crossing, result.g) * parts", "disc_cosine(trace, crossing, result.g)", LIMB),

@@ -1,8 +1,7 @@
-// A pixel's ray about a rotating hole, interpolated between those that were traced (stage/tile_sky.glsl): of mino/trace.glsl's Trace what a
-// sky asks for.
+// A pixel's ray about a rotating hole, interpolated between those that were traced (stage/tile_polynomial.glsl): of mino/trace.glsl's Trace what a
+// sky and a disc ask for.
 #include "core/pixel_sides.glsl"
 #include "mino/ray.glsl"
-#include "mino/ray_way.glsl"
 #include "shared/frame.glsl"
 
 struct Trace {
@@ -13,12 +12,18 @@ struct Trace {
     float stretch_along;
     float stretch_across;
     PixelSides sky_sides;
-    float energy;
+    float energy;         // as mino/trace.glsl
+#ifdef INTERPOLATED_DISC
+    float momentum;
+#ifdef NEEDS_RISE
+    float rise;           // |p_theta| where the ray crosses the equatorial plane: the root of Carter's constant
+#endif
+#endif
 };
 
-float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
+float path_spin() { return frame.spin_hole.x; }
 
-float path_way(Trace trace) { return spin_way(trace.escapes, 0.0, 0.0); }   // tiles clear of the disc
+float g_of(Trace trace) { return trace.doppler / max(trace.energy, 1.0e-6); }
 
 PixelSides sky_sides(Trace trace) { return trace.sky_sides; }
 
@@ -29,6 +34,15 @@ Trace trace_to_sky(vec2 pixel, vec3 sky, vec3 right, vec3 up) {
     trace.pixel_angle = view.pixel_angle;
     trace.doppler = view.doppler;
     trace.energy = -spin_energy(view.direction);
+#ifdef INTERPOLATED_DISC
+    float across = spin_across(view.direction);
+    trace.momentum = -across * frame.spin_place.x;
+#ifdef NEEDS_RISE
+    float p_theta = frame.spin_energy.w * view.direction.y;
+    float a2e2 = frame.spin_hole.y * trace.energy * trace.energy;
+    trace.rise = sqrt(max(p_theta * p_theta + frame.spin_place.y * frame.spin_place.y * (across * across - a2e2), 0.0));
+#endif
+#endif
     trace.escapes = true;
     trace.sky = sky;
     trace.sky_sides.along = right;

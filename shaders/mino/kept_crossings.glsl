@@ -2,6 +2,7 @@
 #ifdef EFFECT_DISC
 #ifdef NEEDS_FOOTPRINT
 #include "effect/sampling.glsl"
+#include "mino/disc_footprint.glsl"
 #include "shared/quad_step.glsl"
 #endif
 #include "mino/segment.glsl"
@@ -125,25 +126,14 @@ KeptCrossings kept_with(KeptCrossings kept, SpinRay ray, SpinStep at, bool ours)
 }
 
 #ifdef NEEDS_FOOTPRINT
-#ifdef EFFECT_REFINE
-#define KEPT_POINTS 6.0   // rays along a side of a pixel, from which on they are points: of an image thinner than their distance some had less than
-                          // all of the disc's light by their footprint, and those beside it none, 1 % of the light in all
-bool kept_as_points() { return sampling_rays() >= KEPT_POINTS; }
-#else
-bool kept_as_points() { return false; }
-#endif
-
 // Crossing k with its footprint. Where a neighbour has none of this number: as if the disc were looked at from here,
 // straight.
 DiscCrossing kept_footprint(KeptCrossings kept, int k, DiscCrossing crossing, float pixel_angle) {
     float there = kept_more(kept, k) ? crossing.number : 0.0;
     QuadStep beside = quad_step(vec4(crossing.place, there, 0.0));
     float edge = abs(beside.along.z) + abs(beside.across.z);
-    float side = pixel_angle * (crossing.r + 1.0 / frame.shift.y);
     bool known = edge == 0.0 && !kept_as_points();
-    crossing.along = known ? beside.along.xy * sampling_share() : vec2(side, 0.0);
-    crossing.across = known ? beside.across.xy * sampling_share() : vec2(0.0, side);
-    return crossing;
+    return with_footprint(crossing, known, beside.along.xy * sampling_share(), beside.across.xy * sampling_share(), pixel_angle);
 }
 
 KeptCrossings kept_footprints(KeptCrossings kept, float pixel_angle) {

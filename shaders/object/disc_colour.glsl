@@ -49,10 +49,7 @@ vec4 disc_colour(Trace trace, DiscCrossing crossing) {
 #endif
     float whole = 1.0;   // of its opacity, within its rims
 #ifdef EFFECT_TRANSLUCENT_DISC
-    float depth = disc_depth(crossing.r) / (outer - inner);
-    float fade = frame.disc_surface.y;
-    float t = clamp(depth / max(fade, 1.0e-6), 0.0, 1.0);
-    whole = fade > 0.0 ? t * t * (3.0 - 2.0 * t) : 1.0;
+    whole = disc_whole(disc_depth(crossing.r));
     float opacity = frame.disc_surface.x * whole;
 #else
     float opacity = 1.0;

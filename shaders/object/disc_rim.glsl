@@ -23,3 +23,12 @@ float disc_covered(float r, float across) {
 }
 float disc_depth(float r) { return min(r - frame.disc_x.w, frame.disc_y.w - r); }
 #endif
+
+#ifdef EFFECT_TRANSLUCENT_DISC
+// Of its opacity, so far from its rims.
+float disc_whole(float depth) {
+    float fade = frame.disc_surface.y;
+    float t = clamp(depth / (frame.disc_y.w - frame.disc_x.w) / max(fade, 1.0e-6), 0.0, 1.0);
+    return fade > 0.0 ? t * t * (3.0 - 2.0 * t) : 1.0;
+}
+#endif

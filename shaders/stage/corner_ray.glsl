@@ -11,6 +11,9 @@
 struct CornerRay {
     vec4 ray;
     vec4 places;   // where it crosses the disc's plane first and second
+#ifdef CROSSINGS_TOLD
+    vec4 moves;    // of the light from there: delay and d zeta/d tau, first and second
+#endif
 };
 
 CornerRay corner_ray(ivec2 texel) {
@@ -23,6 +26,9 @@ CornerRay corner_ray(ivec2 texel) {
 #ifdef EFFECT_DISC
     if (!crossings_known(trace)) found.ray.w = RAY_TANGLED;
     found.places = vec4(crossing_place(trace, 0), crossing_place(trace, 1));
+#ifdef CROSSINGS_TOLD
+    found.moves = vec4(crossing_moves(trace, 0), crossing_moves(trace, 1));
+#endif
 #endif
     return found;
 }

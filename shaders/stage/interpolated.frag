@@ -1,4 +1,4 @@
-// The picture where rays are interpolated: the sky alone.
+// The picture where rays are interpolated: the sky alone, or the disc at one crossing and the sky behind it.
 #include "effect/sampling.glsl"
 #ifdef EFFECT_SKY
 #include "object/celestial_sphere.glsl"
@@ -6,15 +6,44 @@
 #ifdef EFFECT_SKY_PATTERN
 #include "object/sky_pattern.glsl"
 #endif
+#ifdef INTERPOLATED_DISC
+#include "object/disc_colour.glsl"
+#include "path/disc"
+#endif
+#ifdef EFFECT_REFINE
+#include "path/ray_way"
+#endif
 #include "path/trace"
 #include "shared/frame.glsl"
 #include "stage/pixel.glsl"
 #include "stage/tile_varyings.glsl"
 
+#ifdef INTERPOLATED_DISC
+// With what lies behind it.
+vec4 with_disc(Trace trace, vec2 at, vec4 behind) {
+    TilePolynomial told = tile_disc();
+    DiscCrossing crossing = crossing_told(trace, tile_told.x, polynomial_at(told, at), polynomial_right(told, at).xy * sampling_px(),
+                                          polynomial_up(told, at).xy * sampling_px());
+    vec4 disc = disc_colour(trace, crossing);
+    disc = crossing.hit ? disc : vec4(0.0);
+    vec4 light = vec4(disc.rgb + (disc.a < 1.0 ? (1.0 - disc.a) * behind.rgb : vec3(0.0)), behind.a);
+#ifdef EFFECT_POINT_STARS
+    light.a = 1.0 - disc.a;
+#else
+#ifdef EFFECT_REFINE
+    light.a = told_way(crossing, tile_escapes(), tile_told.yzw);
+#endif
+#endif
+    return light;
+}
+#else
+vec4 with_disc(Trace trace, vec2 at, vec4 behind) { return behind; }
+#endif
+
 vec4 ray_light(vec2 pixel) {
     vec2 at = tile_place(pixel);
-    TileSky sky = tile_sky();
-    Trace trace = trace_to_sky(pixel, tile_sky_at(sky, at), tile_sky_right(sky, at) * sampling_px(), tile_sky_up(sky, at) * sampling_px());
+    TilePolynomial sky = tile_sky();
+    Trace trace = trace_to_sky(pixel, polynomial_at(sky, at).xyz, polynomial_right(sky, at).xyz * sampling_px(), polynomial_up(sky, at).xyz * sampling_px());
     vec3 light = vec3(0.0);
 #ifdef EFFECT_SKY
 #ifdef NEEDS_SAMPLING
@@ -29,14 +58,15 @@ vec4 ray_light(vec2 pixel) {
 #endif
     light = tile_escapes() ? light : vec3(0.0);
 #ifdef EFFECT_POINT_STARS
-    return vec4(light, 1.0);
+    float rest = 1.0;
 #else
 #ifdef EFFECT_REFINE
-    return vec4(light, path_way(trace));
+    float rest = open_way(tile_escapes());
 #else
-    return vec4(light, 0.0);
+    float rest = 0.0;
 #endif
 #endif
+    return with_disc(trace, at, vec4(light, rest));
 }
 
 out vec4 colour;

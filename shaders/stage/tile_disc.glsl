@@ -2,9 +2,9 @@
 // the others do so in a circle about these places.
 #include "shared/frame.glsl"
 #include "stage/tile_kind.glsl"
+#include "stage/tile_places.glsl"
 #include "stage/tile_rays.glsl"
 
-uniform highp sampler2D places_texture;   // stage/corner_ray.glsl
 #ifdef TILES_OF_FULL_DISC
 #ifdef EFFECT_DISC_IMAGE
 uniform sampler2D disc_texture;
@@ -19,6 +19,7 @@ uniform sampler2D disc_texture;
 struct TileCrossing {
     bool clear;   // of the disc
     bool full;    // within it, in its opaque part
+    bool met;     // all of them have it
 };
 
 // Where others of the tile do not cross the plane: does this one not either, or so far out and on its way out that those
@@ -43,6 +44,7 @@ TileCrossing tile_crossing(vec2 a, vec2 b, vec2 c, vec2 d, vec2 e) {
     float rim = TILE_RIM * spread;
     TileCrossing crossing;
     crossing.clear = least2 == 0.0 ? leave : from > outer + rim || to < inner - rim;
+    crossing.met = least2 > 0.0;
 #ifdef EFFECT_TRANSLUCENT_DISC
     rim += frame.disc_surface.x < 1.0 ? outer : frame.disc_surface.y * (outer - inner);
 #endif
@@ -50,7 +52,7 @@ TileCrossing tile_crossing(vec2 a, vec2 b, vec2 c, vec2 d, vec2 e) {
     return crossing;
 }
 
-// TILE_SKY, TILE_FULL less the number of the crossing, or 0 where neither is sure.
+// TILE_SKY; TILE_FULL, or TILE_TOLD where that is interpolated, less the number of the crossing; or 0 where neither is sure.
 float tile_of_disc(ivec2 tile) {
     vec4 p = texelFetch(places_texture, texel_of_corner(tile), 0);
     vec4 q = texelFetch(places_texture, texel_of_corner(tile + ivec2(1, 0)), 0);
@@ -67,6 +69,10 @@ float tile_of_disc(ivec2 tile) {
 #endif
     int passed = int(frame.disc_surface.w);   // crossings that are not drawn
     if (opaque && passed == 0) kind = first.full ? TILE_FULL : first.clear && second.full ? TILE_FULL - 1.0 : kind;
+#endif
+#ifdef CROSSINGS_TOLD
+    bool one = kind != TILE_SKY && frame.disc_surface.w == 0.0;
+    if (one) kind = first.met && second.clear ? TILE_TOLD : first.clear && second.met ? TILE_TOLD - 1.0 : kind;
 #endif
     return kind;
 }

@@ -23,6 +23,9 @@ TileBodies tile_among(ivec2 tile) {
 #ifdef TILES_INTERPOLATED
 #include "stage/tile_fit.glsl"
 #endif
+#ifdef CROSSINGS_TOLD
+#include "stage/disc_fit.glsl"
+#endif
 
 vec4 tile_texel(ivec2 tile) {
     vec4 bodies = vec4(0.0);
@@ -34,6 +37,12 @@ vec4 tile_texel(ivec2 tile) {
 #endif
 #ifdef TILES_OF_DISC
     float disc = tile_of_disc(tile);
+#ifdef CROSSINGS_TOLD
+    int crossing = int(max(TILE_TOLD - disc, 0.0));
+    float through = disc_fit_through(tile, crossing);
+    bool told = disc_fits(tile, crossing) && (through == 0.0 || tile_interpolates(tile, max(through, DISC_FIT_THROUGH)));
+    disc = disc > TILE_TOLD || told ? disc : 0.0;
+#endif
     if (sky && disc <= TILE_FULL) bodies = vec4(disc);
     sky = sky && disc == TILE_SKY;
 #else
@@ -43,11 +52,11 @@ vec4 tile_texel(ivec2 tile) {
 #endif
     float kind = TILE_SKY;
 #ifdef TILES_INTERPOLATED
-    kind = tile_interpolates(tile) ? TILE_INTERPOLATED : TILE_SKY;
+    kind = tile_interpolates(tile, 1.0) ? TILE_INTERPOLATED : TILE_SKY;
 #endif
-    vec4 told = sky ? vec4(kind) : bodies;
+    vec4 texel = sky ? vec4(kind) : bodies;
 #ifdef TILES_OF_BODIES
-    told = tile_scale > 1 ? set : told;
+    texel = tile_scale > 1 ? set : texel;
 #endif
-    return told;
+    return texel;
 }

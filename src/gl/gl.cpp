@@ -94,6 +94,7 @@ Info info() {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &i.max_texture_size);
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &i.max_renderbuffer_size);
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &i.max_layers);
+    glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &i.max_varying);
     return i;
 }
 

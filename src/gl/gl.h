@@ -26,6 +26,7 @@ void prepare_context();
 struct Info {
     std::string version, renderer, vendor, glsl;
     int max_texture_size = 0, max_renderbuffer_size = 0, max_layers = 0;
+    int max_varying = 0;  // numbers that a vertex shader may hand on
 };
 Info info();
 void check(const char* where);  // throws GlError if glGetError has something to say

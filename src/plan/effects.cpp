@@ -109,6 +109,11 @@ bool tiles_classify_full_disc(const EffectSet& effects) {
 bool interpolates(const EffectSet& effects) {
     return light_path_kind(effects) == LightPathKind::kMino && ends_are_plain(effects);
 }
+bool interpolates_disc(const EffectSet& effects) {
+    if (!interpolates(effects) || !tiles_classify_disc(effects)) return false;
+    constexpr Effect kOthers[] = {Effect::kDiscLean, Effect::kPolarisation, Effect::kZoom};
+    return std::ranges::none_of(kOthers, [&](Effect effect) { return effects.contains(effect); });
+}
 bool interpolates_matter(const EffectSet& effects) {
     constexpr Effect kOthers[] = {Effect::kDisc, Effect::kStar, Effect::kFarSky, Effect::kZoom, Effect::kWarp};
     return has_medium(effects) && !has_solids(effects) && projections_of(effects).empty() &&

@@ -154,12 +154,14 @@ enum class LightPathKind { kPlanar, kMino };
 LightPathKind light_path_kind(const EffectSet& effects);
 // Where a picture is drawn in tiles, they tell apart: has_tiles: whether they may show a marched body (all outside of every horizon, on
 // one side of the throat); tiles_classify_disc: whether they may show the disc;
-// tiles_classify_full_disc: or nothing else; interpolates: whether rays may be interpolated in them.
+// tiles_classify_full_disc: or nothing else; interpolates: whether rays may be interpolated in them;
+// interpolates_disc: and where they cross the disc.
 // interpolates_matter: whether light of matter may be, between nodes of lattices: where nothing but a sky is behind it.
 bool has_tiles(const EffectSet& effects);
 bool tiles_classify_disc(const EffectSet& effects);
 bool tiles_classify_full_disc(const EffectSet& effects);
 bool interpolates(const EffectSet& effects);
+bool interpolates_disc(const EffectSet& effects);
 bool interpolates_matter(const EffectSet& effects);
 bool has_marched(
     const EffectSet& effects);  // bodies that are found by steps: all but the sphere, and that about a rotating hole

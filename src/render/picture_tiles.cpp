@@ -18,7 +18,10 @@ void PictureTiles::resize(const std::vector<Pass>& passes, int width, int height
     const int side = tile_side(effects), across = tiles_along(width, side), up = tiles_along(height, side);
     const bool rays = passes.front().stage == Stage::kRays;
     const bool tiles = std::ranges::any_of(passes, [](const Pass& pass) { return finds_tiles(pass.stage); });
-    resize_target(rays_, rays, rays_a_tile(effects) * (across + 3), up + 3, tiles_classify_disc(effects) ? 2 : 1);
+    resize_target(rays_, rays, rays_a_tile(effects) * (across + 3), up + 3,
+                  interpolates_disc(effects)     ? 3
+                  : tiles_classify_disc(effects) ? 2
+                                                 : 1);
     resize_target(tiles_, tiles, across, up, 1);
     // Of odd sizes: llvmpipe compiles once more for textures whose sides are powers of two.
     const bool large = tiles && has_tiles(effects);

@@ -18,7 +18,7 @@ public:
     void find(Stage stage, const gl::Program& program, const std::function<void(const gl::Target&)>& draw);
 
     // To units from first on, in the order of kSamplers.
-    static constexpr const char* kSamplers[] = {"tile_texture", "ray_texture", "places_texture"};
+    static constexpr const char* kSamplers[] = {"tile_texture", "ray_texture", "places_texture", "moves_texture"};
     void bind(int first);
 
 private:

@@ -91,17 +91,18 @@ Image<float> Renderer::layer(PictureLayer shown) {
     return image;
 }
 
-Image<float> Renderer::interpolated_rays() {
+// Of a picture that a stage has a part in, what another one tells of it.
+Image<float> Renderer::interpolated(Stage drawn, Stage told) {
     const int w = tables_.plan().scene.camera.width, h = tables_.plan().scene.camera.height;
     Image<float> image(w, h, 4);
     const std::vector<Pass> list = passes_with(Tiles::kInterpolated, Output::kLinear);
-    if (std::ranges::find(list, Stage::kInterpolated, &Pass::stage) == list.end()) return image;
+    if (std::ranges::find(list, drawn, &Pass::stage) == list.end()) return image;
     const gl::Target target = gl::make_target(w, h, gl::Format::kRgba32F);
     gl::clear(target);
     picture_tiles_.resize(list, w, h, tables_.effects());
     bind_inputs();
     for (const Stage stage : {Stage::kRays, Stage::kTilesInterpolated}) find_tiles(stage, Output::kLinear);
-    gl::draw_tiles(program(Stage::kInterpolatedRays, Output::kLinear), empty_, target.framebuffer.id(), w, h, kTileSide,
+    gl::draw_tiles(program(told, Output::kLinear), empty_, target.framebuffer.id(), w, h, tile_side(tables_.effects()),
                    0, h);
     for (int y = 0; y < h; ++y) gl::read_rgba32f_row(target, 0, h - 1 - y, image.at(0, y));
     return image;

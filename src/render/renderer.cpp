@@ -77,8 +77,7 @@ ShaderSource Renderer::source_of(Stage stage, Output output) const {
     ShaderSource source =
         shader_source(stage, tables_.effects(), output, method_, tables_.spacetime().name(), body_text_);
     // Interpolated tiles have inputs enough of their own.
-    const bool flat =
-        flat_frame_ && (draws_picture(stage) || stage == Stage::kLattice) && stage != Stage::kInterpolated;
+    const bool flat = flat_frame_ && (draws_picture(stage) || stage == Stage::kLattice) && !is_interpolated(stage);
     return flat ? with_flat_frame(source, kMostFlatInputs) : source;
 }
 
@@ -226,11 +225,15 @@ void Renderer::draw_picture(const Pass& pass, unsigned picture, int width, int h
         gl::draw_rows(built, empty_, picture, width, height, first, last, layer);
 }
 
+// Numbers that shaders/stage/interpolated.vert hands on with a disc: 24 vectors. OpenGL 3.3 promises 60; drivers have 120 and more.
+constexpr int kVaryingOfDisc = 96;
+
 // The method that follows from the scene alone may interpolate; others show what they are. The Kerr-Schild march has no tiles.
 std::vector<Pass> Renderer::passes_with(Tiles most, Output output) const {
-    const Tiles able = method_.kind == MethodKind::kKerrSchild                ? Tiles::kNone
-                       : method_.kind == MethodKind::kStrip && !method_.cubic ? Tiles::kInterpolated
-                                                                              : Tiles::kTraced;
+    const bool hands_on_rays = !interpolates_disc(tables_.effects()) || info_.max_varying >= kVaryingOfDisc;
+    const Tiles able = method_.kind == MethodKind::kKerrSchild                                 ? Tiles::kNone
+                       : method_.kind == MethodKind::kStrip && !method_.cubic && hands_on_rays ? Tiles::kInterpolated
+                                                                                               : Tiles::kTraced;
     return passes(tables_.effects(), output, std::min(able, most));
 }
 

@@ -143,7 +143,10 @@ public:
     // One layer of it, or shares. kAll comes first: which pixels have more rays is found in it (draw_layers()).
     Image<float> layer(PictureLayer shown);
     // Where rays are interpolated: the sky's direction, and 1 (escapes) or 2 (captured); elsewhere 0. Rows from the top, four channels.
-    Image<float> interpolated_rays();
+    Image<float> interpolated_rays() { return interpolated(Stage::kInterpolated, Stage::kInterpolatedRays); }
+    // Where they cross the disc, of tiles where they do so once: x and y in its plane, r_s, the delay of the light from there, and 1 more than the number
+    // of crossings of the plane before it; elsewhere 0.
+    Image<float> interpolated_places() { return interpolated(Stage::kInterpolatedDisc, Stage::kInterpolatedPlaces); }
     // Of the first thing that each pixel's ray meets, top row first, 0 where there is none or the metric has no light times (wormholes, zooms):
     // the affine parameter, r_s, of a photon of unit frequency in the camera; on a thermal disc the camera's frequency over its matter's.
     // Where there is a medium, of its light that is in front of what ends the ray: the mean place on the ray (r_s, world axes) and the
@@ -180,6 +183,7 @@ private:
     const gl::Program* compute_program(Stage stage, Output output, gl::Stored stored);
     bool compute_picture(const Pass& pass, unsigned picture, int first, int last, const gl::Layer& layer);
     bool compute_patches(const Pass& pass, const gl::VertexList& pixels, const gl::Target& rays, int side);
+    Image<float> interpolated(Stage drawn, Stage told);
     bool compute_nodes(Output output, const LightLattice::Tell& tell, const gl::Target& nodes, int first, int last);
     void tell_picture(const gl::Program& built, Output output) const;
     void find_tiles(Stage stage, Output output);

@@ -4,6 +4,22 @@
 
 namespace nullscope {
 
+namespace {
+
+// A picture of matter before nothing but a sky.
+void add_matter(std::vector<Pass>& list, Output light) {
+    list.push_back({Stage::kLattice, Output::kLinear, "lattices of matter",
+                    "its light 16, 8 and 4 px apart, finer where it is not smooth"});
+    list.push_back({Stage::kLatticeTold, Output::kLinear, "told by coarser",
+                    "nodes of a lattice whose light the next coarser one tells"});
+    list.push_back({Stage::kLatticeCells, Output::kLinear, "cells of these",
+                    "where the light between their nodes is told by them to 0.5 %"});
+    list.push_back({Stage::kMatterTold, light, "tiles told by lattices", "the light of matter by these"});
+    list.push_back({Stage::kMatterTraced, light, "tiles of matter", "elsewhere it is that of the pixel's ray"});
+}
+
+}  // namespace
+
 std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
     if (output == Output::kLayers) tiles = std::min(tiles, Tiles::kBodies);  // their programs know all layers
     const bool stars = effects.contains(Effect::kPointStars);
@@ -27,6 +43,9 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
         if (interpolated)
             list.push_back({Stage::kInterpolated, light, "sky interpolated",
                             "the sky alone, where the rays between a tile's are interpolated"});
+        if (interpolated && interpolates_disc(effects))
+            list.push_back({Stage::kInterpolatedDisc, light, "disc interpolated",
+                            "the disc where these rays cross it once, and the sky behind it"});
         if (find_disc || !disc)
             list.push_back({Stage::kSkyTiles, light, "tiles of sky",
                             "every pixel traces its ray; neither disc nor bodies are looked for"});
@@ -36,14 +55,7 @@ std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles) {
         if (disc) list.push_back({Stage::kDiscTiles, light, "tiles of disc", "the same, and the disc"});
         if (find_bodies) list.push_back({Stage::kBodyTiles, light, "tiles of bodies", "the same, and bodies"});
     } else if (tiles >= Tiles::kInterpolated && !effects.contains(Effect::kSamples) && interpolates_matter(effects)) {
-        list.push_back({Stage::kLattice, Output::kLinear, "lattices of matter",
-                        "its light 16, 8 and 4 px apart, finer where it is not smooth"});
-        list.push_back({Stage::kLatticeTold, Output::kLinear, "told by coarser",
-                        "nodes of a lattice whose light the next coarser one tells"});
-        list.push_back({Stage::kLatticeCells, Output::kLinear, "cells of these",
-                        "where the light between their nodes is told by them to 0.5 %"});
-        list.push_back({Stage::kMatterTold, light, "tiles told by lattices", "the light of matter by these"});
-        list.push_back({Stage::kMatterTraced, light, "tiles of matter", "elsewhere it is that of the pixel's ray"});
+        add_matter(list, light);
     } else {
         list.push_back({Stage::kPicture, light, "picture",
                         "one triangle over the picture: every pixel traces its ray and shades what it meets"});

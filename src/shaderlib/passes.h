@@ -18,7 +18,7 @@ struct Pass {
 // kDisplay: to 8 bits. kLinear: linear light, nothing done to it.
 // How much of a picture may be drawn in tiles. kNone: nothing. kBodies: bodies are looked for in those that may show one. kTraced: so is the
 // disc; the same picture, but more programs, which one picture is not worth. kInterpolated: and about a rotating hole the rays of tiles
-// without disc and bodies are interpolated, to 0.002 px (shaders/stage/tile_fit.glsl), and so is the light of matter before nothing but a sky
+// without bodies are interpolated, to 0.002 px (shaders/stage/tile_fit.glsl), and where they cross the disc once (shaders/stage/disc_fit.glsl), and so is the light of matter before nothing but a sky
 // (shaders/stage/lattice.glsl).
 enum class Tiles { kNone, kBodies, kTraced, kInterpolated };
 std::vector<Pass> passes(const EffectSet& effects, Output output, Tiles tiles = Tiles::kBodies);

@@ -129,10 +129,12 @@ constexpr StageFiles kStageFiles[] = {  // by Stage
     {kFullscreen, "stage/tiles.frag"},
     {kFullscreen, "stage/tiles.frag"},
     {kInterpolated, "stage/interpolated.frag"},
+    {kInterpolated, "stage/interpolated.frag"},
     {kTile, "stage/trace.frag"},
     {kTile, "stage/trace.frag"},
     {kTile, "stage/trace.frag"},
     {kTile, "stage/trace.frag"},
+    {kInterpolated, "stage/interpolated_rays.frag"},
     {kInterpolated, "stage/interpolated_rays.frag"},
     {"stage/lattice_nodes.vert", "stage/lattice.frag"},
     {"stage/lattice_nodes.vert", "stage/lattice.frag"},
@@ -147,15 +149,15 @@ const EmbeddedShader* find_file(std::string_view path) {
     return found != files.end() ? &*found : nullptr;
 }
 
-bool is_interpolated(Stage stage) { return stage == Stage::kInterpolated || stage == Stage::kInterpolatedRays; }
+bool has_told_disc(Stage stage) { return stage == Stage::kInterpolatedDisc || stage == Stage::kInterpolatedPlaces; }
 
 // What a stage of these effects is compiled with.
 std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Output output, const Method& method) {
     std::vector<std::string> defines;
     if (stage != Stage::kBareFetch) defines = defines_of(effects);
-    const bool sky_alone = is_interpolated(stage) || stage == Stage::kSkyTiles,
-               no_bodies =
-                   sky_alone || stage == Stage::kFullDisc || stage == Stage::kDiscTiles || stage == Stage::kRays;
+    const bool sky_alone = (is_interpolated(stage) && !has_told_disc(stage)) || stage == Stage::kSkyTiles,
+               no_bodies = sky_alone || has_told_disc(stage) || stage == Stage::kFullDisc ||
+                           stage == Stage::kDiscTiles || stage == Stage::kRays;
     const bool objects =
         (!no_bodies && has_solids(effects)) || (!sky_alone && effects.contains(Effect::kDisc)) || has_medium(effects);
     const bool list = stage == Stage::kRayList, data = list || stage == Stage::kRayData || stage == Stage::kRayDepth;
@@ -184,6 +186,10 @@ std::vector<std::string> stage_defines(Stage stage, const EffectSet& effects, Ou
         if (tiles_classify_full_disc(effects)) defines.emplace_back("TILES_OF_FULL_DISC");
     }
     if (stage == Stage::kTilesInterpolated) defines.emplace_back("TILES_INTERPOLATED");
+    if (has_told_disc(stage)) defines.emplace_back("INTERPOLATED_DISC");
+    if (interpolates_disc(effects) &&
+        (stage == Stage::kRays || stage == Stage::kTilesInterpolated || has_told_disc(stage)))
+        defines.emplace_back("CROSSINGS_TOLD");
     if (stage == Stage::kBodyTiles) defines.emplace_back("TILES_WITH_BODIES");
     if (stage == Stage::kLatticeTold || stage == Stage::kMatterTold) defines.emplace_back("LATTICE_TOLD");
     if (is_of_matter(stage)) defines.emplace_back("MATTER_LATTICE");
@@ -281,8 +287,10 @@ std::vector<std::string> texts_of(std::initializer_list<const char*> files, Stag
     const ShaderReader read = [&](std::string_view name) -> std::string_view {
         if (const auto part = generated.find(name); part != generated.end()) return part->second;
         if (!name.starts_with(kPathPrefix)) return shader_file(name);
-        return chosen[std::string(name)] =
-                   path_line(path, is_interpolated(stage) && name == "path/trace" ? "path/interpolated" : name);
+        return chosen[std::string(name)] = path_line(path, !is_interpolated(stage) ? name
+                                                           : name == "path/trace"  ? "path/interpolated"
+                                                           : name == "path/disc"   ? "path/interpolated_disc"
+                                                                                   : name);
     };
     std::vector<std::string> texts;
     for (const char* file : files) texts.push_back(resolved_text(file, defines, read));

@@ -13,9 +13,10 @@ namespace nullscope {
 // kEdges: marks the picture's pixels that differ much from a neighbour. kPatches: the means of their rays. kStars: points added to the picture. kBloomDown, kBloomUp, kMeter: of the picture in
 // linear light. kDevelop: from it to the display. kRayDepth: beside ray data, for layers. kBareFetch: one fetch of the sky a pixel,
 // a baseline of cost. Tiles are squares of the picture. kRays: the rays through their corners. kTiles: which bodies they may show;
-// kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated;
+// kTilesTraced: and whether the disc; kTilesInterpolated: and whether their rays may be interpolated. The picture in these: kInterpolated, and
+// kInterpolatedDisc where they cross the disc once;
 // in the others kSkyTiles, where neither body nor disc is seen; kFullDisc, where nothing but the disc is; kDiscTiles, where no body is;
-// kBodyTiles, the rest. kInterpolatedRays: where interpolated rays go, for tests.
+// kBodyTiles, the rest. kInterpolatedRays, kInterpolatedPlaces: where interpolated rays go, and where they cross the disc, for tests.
 // kLattice: the light of matter on a lattice of the picture, by rays; kLatticeTold: by the next coarser one; kLatticeCells: where it tells the light
 // between its nodes. kMatterTold: the tiles of a picture that it tells; kMatterTraced: the others.
 // kRayList: ray data of a list, one ray a fragment.
@@ -36,11 +37,13 @@ enum class Stage {
     kTilesTraced,
     kTilesInterpolated,
     kInterpolated,
+    kInterpolatedDisc,
     kSkyTiles,
     kFullDisc,
     kDiscTiles,
     kBodyTiles,
     kInterpolatedRays,
+    kInterpolatedPlaces,
     kLattice,
     kLatticeTold,
     kLatticeCells,
@@ -73,11 +76,17 @@ constexpr bool draws_lattice(Stage stage) {
     return stage == Stage::kLattice || stage == Stage::kLatticeTold || stage == Stage::kLatticeCells;
 }
 
+// Does a stage draw rays that are interpolated?
+constexpr bool is_interpolated(Stage stage) {
+    return stage == Stage::kInterpolated || stage == Stage::kInterpolatedDisc || stage == Stage::kInterpolatedRays ||
+           stage == Stage::kInterpolatedPlaces;
+}
+
 // Does a stage draw the picture, whole or in part?
 constexpr bool draws_picture(Stage stage) {
     return stage == Stage::kPicture || is_of_matter(stage) || stage == Stage::kInterpolated ||
-           stage == Stage::kSkyTiles || stage == Stage::kFullDisc || stage == Stage::kDiscTiles ||
-           stage == Stage::kBodyTiles;
+           stage == Stage::kInterpolatedDisc || stage == Stage::kSkyTiles || stage == Stage::kFullDisc ||
+           stage == Stage::kDiscTiles || stage == Stage::kBodyTiles;
 }
 
 // In one triangle?
@@ -114,7 +123,7 @@ ShaderSource shader_source(Stage stage, const EffectSet& effects, Output output,
 
 // Can a stage be drawn by compute? What follows rays can. Interpolated ones are a tile's vertex shader's.
 constexpr bool computes(Stage stage) {
-    return (draws_picture(stage) && stage != Stage::kInterpolated) || stage == Stage::kRays || finds_tiles(stage) ||
+    return (draws_picture(stage) && !is_interpolated(stage)) || stage == Stage::kRays || finds_tiles(stage) ||
            stage == Stage::kLattice || stage == Stage::kRayData || stage == Stage::kRayList;
 }
 
