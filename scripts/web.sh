@@ -16,6 +16,7 @@ case "${1-}" in
 esac
 
 "$root/scripts/install-packages.sh" --quiet --web
+mkdir -p "$root/build"
 cmake -S "$root/web" -B "$build" -G Ninja --toolchain "$root/web/wasm32.cmake" >"$build.log" || { cat "$build.log" >&2; exit 1; }
 cmake --build "$build"
 python3 -B "$root/web/assemble.py" "$build" "$build/page"

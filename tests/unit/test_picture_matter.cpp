@@ -152,10 +152,7 @@ TEST_CASE("picture matter: laws of emission as the reference has them") {
 
 // Pixels' own derivatives go to infinity at the critical curve, with both signs: what is left out there would be missed.
 TEST_CASE("picture matter: the flux's derivatives are its differences" * test::costly()) {
-    constexpr double kSame = 3e-3;  // the spokes' tolerance
-    constexpr double kStep = 0.01;
-    const MatterFluxRule rule{4, 0.3};
-    const auto flux = [&](double spin) {
+    const auto flux = [&](double spin, const MatterFluxRule& rule) {
         Scene scene = matter_scene(kMatterCases[0]);
         scene.spacetime.parameters["spin"] = spin;
         const auto light = PictureMatter::make(scene, {"spin", "camera.phi"});
@@ -164,11 +161,19 @@ TEST_CASE("picture matter: the flux's derivatives are its differences" * test::c
         REQUIRE(found);
         return *found;
     };
-    const FluxGradient found = flux(0.9);
-    const double slope = (flux(0.9 + kStep).flux - flux(0.9 - kStep).flux) / (2 * kStep);
+#ifdef NULLSCOPE_SANITIZED  // 13 times slower, and it is memory that is looked at: of few places, and no differences
+    const FluxGradient found = flux(0.9, {1, 10.0});
+    CHECK(found.flux > 0);
+#else
+    constexpr double kSame = 3e-3;  // the spokes' tolerance
+    constexpr double kStep = 0.01;
+    const MatterFluxRule rule{4, 0.3};
+    const FluxGradient found = flux(0.9, rule);
+    const double slope = (flux(0.9 + kStep, rule).flux - flux(0.9 - kStep, rule).flux) / (2 * kStep);
     MESSAGE(fmt::format("{:.8g} by differences {:.8g}, {} rays", found.by[0], slope, found.rays));
     CHECK(std::fabs(found.by[0] - slope) < kSame * std::fabs(slope));
     CHECK(std::fabs(found.by[1]) < 1e-9 * found.flux);
+#endif
 }
 
 TEST_CASE("picture matter: what has no derivatives is told") {
