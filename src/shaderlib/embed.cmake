@@ -1,6 +1,9 @@
 # Writes OUTPUT, a C++ file that holds every file of shaders/ (DIRECTORY) as text. Comments, which no shader is compiled with, are left out: a third of the page's
-# copy. Lines keep their numbers.
+# copy. Lines keep their numbers. FOR_PAGE: without indentation, which nobody reads there, and compute shaders, which WebGL does not have: 3 kB of its download.
 file(GLOB_RECURSE files RELATIVE ${DIRECTORY} ${DIRECTORY}/*.glsl ${DIRECTORY}/*.frag ${DIRECTORY}/*.vert ${DIRECTORY}/*.comp)
+if(FOR_PAGE)
+  list(FILTER files EXCLUDE REGEX "\\.comp$")
+endif()
 set(text "#include \"shaderlib/embedded.h\"\n\n#include <array>\n\nusing namespace std::string_view_literals;\n\nnamespace nullscope {\n\n")
 list(LENGTH files count)
 string(APPEND text "std::span<const EmbeddedShader> embedded_shaders() {\n    static constexpr std::array<EmbeddedShader, ${count}> files = {{\n")
@@ -8,6 +11,9 @@ string(APPEND text "std::span<const EmbeddedShader> embedded_shaders() {\n    st
 foreach(file ${files})
   file(READ ${DIRECTORY}/${file} content)
   string(REGEX REPLACE "[ \t]*//[^\n]*" "" content "${content}")
+  if(FOR_PAGE)
+    string(REGEX REPLACE "\n[ \t]+" "\n" content "${content}")
+  endif()
   string(APPEND text "{\"${file}\", R\"glsl(${content})glsl\"sv},\n")
 endforeach()
 string(APPEND text "    }};\n    return files;\n}\n\n}  // namespace nullscope\n")

@@ -99,7 +99,7 @@ std::vector<std::string> defines_of(const EffectSet& effects) {
 
 std::vector<std::string> members_of(const std::string& block) {
     std::vector<std::string> members;
-    constexpr std::string_view kType = "    vec4 ";
+    constexpr std::string_view kType = "vec4 ";
     for (std::size_t at = block.find(kType); at != std::string::npos; at = block.find(kType, at + 1)) {
         const std::size_t name = at + kType.size();
         members.push_back(block.substr(name, block.find(';', name) - name));
