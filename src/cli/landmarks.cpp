@@ -41,7 +41,8 @@ std::vector<NamedNumber> numbers_of(const Spacetime& spacetime, const CameraSpec
         return here.shadow_size ? std::optional((*here.shadow_size)[i]) : std::nullopt;
     };
     return {
-        {"horizon", "r_s", "outer horizon", marks.horizon},
+        {"horizon", "r_s", marks.singular ? "singularity: a surface of no area, where light ends" : "outer horizon",
+         marks.horizon},
         {"photon_orbit", at, spacetime.rotates() ? sense + "circular photon orbit" : "photon sphere",
          marks.photon_orbit},
         {"retrograde_photon_orbit", "r_s", other + "circular photon orbit", marks.retrograde_photon_orbit},

@@ -32,7 +32,7 @@ std::string bin_words(const LineSource& source, const SpectrumOptions& options) 
                                   ? fmt::format("ring at {:.10g} r_s", source.inner)
                                   : fmt::format("disc from {:.10g} to {:.10g} r_s", source.inner, source.outer);
     return fmt::format("{}{}, inclination {:g} degrees, emissivity {}, limb {}", place,
-                       source.sense == Sense::kWestward ? ", westward" : "", source.inclination / kOneDegree,
+                       source.sense == Sense::kWestward ? ", westward" : "", source.inclination_deg,
                        emissivity_words(source.emissivity), options.limb);
 }
 

@@ -65,6 +65,7 @@ std::optional<double> planar_clock_rate(const Spacetime& spacetime, const Camera
 Landmarks landmarks_of(const Spacetime& spacetime) {
     Landmarks found;
     found.horizon = spacetime.horizon_radius();
+    found.singular = found.horizon && !(spacetime.areal_radius(*found.horizon) > 0.0);
     if (const auto sphere = open_photon_sphere(spacetime))
         found.photon_orbit = sphere->radius, found.critical_impact = 1.0 / sphere->q_crit;
     else if (spacetime.rotates() && found.horizon)

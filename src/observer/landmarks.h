@@ -12,6 +12,7 @@ namespace nullscope {
 // equatorial plane, towards growing phi (prograde where a > 0) and, as "retrograde", towards falling phi. Cost: 20 us, 40 us about a rotating hole.
 struct Landmarks {
     std::optional<double> horizon, photon_orbit, isco;
+    bool singular = false;                                           // the horizon is a singular surface, of no area
     std::optional<double> retrograde_photon_orbit, retrograde_isco;  // about rotating holes alone
     std::optional<double>
         critical_impact;  // b = L/E of the light that spirals to the photon sphere (not about rotating holes)

@@ -46,8 +46,7 @@ std::vector<LandmarkCircle> landmark_circles(const Spacetime& spacetime) {
     };
     const Landmarks marks = landmarks_of(spacetime);
     add("surface", spacetime.surface_radius(), kLabelGround, true);
-    const bool bare = marks.horizon && !(spacetime.areal_radius(*marks.horizon) > 0.0);
-    add(bare ? "singularity" : "horizon", marks.horizon, kLabelGround, true);
+    add(marks.singular ? "singularity" : "horizon", marks.horizon, kLabelGround, true);
     if (const AxialMetric* metric = spacetime.axial())
         add("ergosphere", static_limit(*metric, 0.5 * std::numbers::pi), kErgosphere, false);
     if (const auto sphere = open_photon_sphere(spacetime))

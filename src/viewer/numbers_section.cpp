@@ -105,7 +105,10 @@ bool numbers_section(ViewState& view, const FrameFacts& facts) {
     const auto radius = [&](const char* name, const std::optional<double>& r, const char* help) {
         if (r) number(name, length_words(*r, style, 5), help);
     };
-    radius("Horizon", marks.horizon, "Nothing comes back from inside it. About a rotating hole: the outer one.");
+    if (marks.singular)
+        radius("Singularity", marks.horizon, "A surface of no area and no horizon about it; light ends there.");
+    else
+        radius("Horizon", marks.horizon, "Nothing comes back from inside it. About a rotating hole: the outer one.");
     const char* other = spacetime->a() < 0.0 ? "prograde" : "retrograde";
     radius("Photon orbit", marks.photon_orbit, "Circular photon orbit; about a rotating hole towards growing azimuth.");
     radius(other, marks.retrograde_photon_orbit, "Circular photon orbit towards falling azimuth.");

@@ -153,6 +153,9 @@ class Commands(support.CliTest):
         lines = of(text)
         self.assertIn("retrograde ISCO", lines)
         self.assertNotIn("critical", lines)   # there is none
+        bare = self.run_nullscope("landmarks", "scalar-mass").out
+        self.assertIn("singularity", bare)
+        self.assertNotIn("horizon", bare)   # Janis, Newman and Winicour's has none
         self.refused("landmarks", "no-such-scene", says=["no-such-scene"])
 
     def test_flux(self):
@@ -270,6 +273,14 @@ class Commands(support.CliTest):
         lines = (self.folder / "line.csv").read_text().splitlines()
         columns = self.said("line.svg")["nullscope.columns"].splitlines()
         return out, columns, [{key: float(value) for key, value in row.items()} for row in csv.DictReader(lines)]
+
+    def test_spectrum_from_below(self):
+        """A disc seen from below has the line that is seen from above, and is said to be seen from below."""
+        below, _, line = self.spectrum("kerr", "--inclination", "150", "--bins", "20")
+        self.assertIn("inclination 150 degrees", below)
+        above, _, same = self.spectrum("kerr", "--inclination", "30", "--bins", "20")
+        self.assertIn("inclination 30 degrees", above)
+        self.assertEqual(line, same)
 
     def said(self, name):
         """What a diagram says of itself and of the table beside it."""
